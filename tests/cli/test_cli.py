@@ -226,6 +226,7 @@ def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
     monkeypatch.setattr("pointloom.cli.jobs.clouds.convert_file", warn)
     result = run("convert", cloud, tmp_path / "out.ply", "--json")
     assert result.stderr == "warning: one core only\n" and json.loads(result.stdout)["reliable"]
+    assert run("convert", cloud, tmp_path / "out.ply", "-q").stderr == ""
 
 
 def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypatch):
@@ -281,7 +282,7 @@ def test_ctrl_c_between_commands_of_click_is_one_line():
 from pointloom.cli.shell import cli, group
 def interrupt(*_args, **_options):
     raise KeyboardInterrupt
-group.CompileNotice.__enter__ = interrupt
+group.Notices.__enter__ = interrupt
 cli.main()
 """
     process = start(program, "--version")

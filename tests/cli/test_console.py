@@ -1,9 +1,18 @@
 """Progress lines of commands: the estimate of the remaining time, and kept folders."""
 
+import re
+
+import click
+import numpy as np
 import pytest
 
+import pointloom as loom
 from pointloom.cli.shell import console
+from pointloom.cli.shell.cli import cli
+from pointloom.core.verbosity import LOGGER
 from pointloom.core.wording import format_duration
+
+from .commands import run
 
 
 class Clock:
@@ -79,3 +88,39 @@ def test_ctrl_c_reports_what_is_kept(clock, capsys, options, seconds, expected):
     lines = [line for line in capsys.readouterr().err.splitlines() if line != "a"]
     assert len(lines) == len(expected)
     assert all(line.startswith(start) for line, start in zip(lines, expected, strict=True))
+
+
+def commands_below(group, words=()):
+    for name, command in group.commands.items():
+        if isinstance(command, click.Group):
+            yield from commands_below(command, (*words, name))
+        else:
+            yield (*words, name), command
+
+
+def test_every_command_has_the_options_q_and_v():
+    found = dict(commands_below(cli))
+    assert ("tile", "plan") in found and len(found) > 40
+    for words, command in found.items():
+        names = [set(one.opts) for one in command.params]
+        assert {"-q", "--quiet"} in names and {"-v", "--verbose"} in names, words
+        result = run(*words, "-q", "-v")
+        assert (result.exit_code, "-q excludes -v" in result.stderr) == (2, True) or command.params[0].required, words
+
+
+def test_quiet_prints_results_and_errors_and_verbose_also_stages_and_times(tmp_path, monkeypatch):
+    points = np.random.default_rng(0).random((500, 3))
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, normals=points))
+    monkeypatch.setattr(console, "LINE_INTERVAL", 0.0)
+    level = LOGGER.level
+    source, target = tmp_path / "a.ply", tmp_path / "b.ply"
+    words = ("clean", source, "-o", target, "--force")
+    plain, quiet, verbose = run(*words), run(*words, "-q"), run(*words, "-v")
+    assert plain.exit_code == quiet.exit_code == verbose.exit_code == 0
+    assert len({re.sub(r"\d+\.\d+", "", result.stdout) for result in (plain, quiet, verbose)}) == 1 and plain.stdout
+    assert quiet.stderr == ""
+    assert all(line in verbose.stderr for line in plain.stderr.splitlines()) and len(verbose.stderr) > len(plain.stderr)
+    assert re.search(r"^finished after \d+\.\d s$", verbose.stderr, re.MULTILINE)
+    assert re.search(r"^\w.*, after \d+\.\d s$", verbose.stderr, re.MULTILINE)
+    failed = run("clean", source, "-o", target, "-q")
+    assert failed.exit_code == 1 and failed.stderr.startswith("error: ") and LOGGER.level == level

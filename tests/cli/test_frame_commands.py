@@ -121,7 +121,7 @@ def test_a_view_shows_the_complete_scene_for_any_camera_poses(rotations):
 
 
 def test_frames_without_depth_are_unreliable_and_the_warning_names_the_depth_maps(tmp_path, monkeypatch):
-    monkeypatch.setattr("pointloom.cli.jobs.frame_folder.open_dataset", lambda *_, **__: Still(depth=0))
+    monkeypatch.setattr("pointloom.cli.jobs.frame_folder.open_frames", lambda *_, **__: Still(depth=0))
     report = fuse_folder(tmp_path, ModelOutputs(tmp_path / "mesh.ply"), voxel_size=0.05).to_dict()
     assert "; ".join(report["warnings"]).startswith("only 0.0% of the pixels have a depth; check the depth maps")
     assert report["files"] == [] and not (tmp_path / "mesh.ply").exists()

@@ -11,7 +11,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom import TriangleMesh
 from pointloom.cli.shell.cli import cli
-from pointloom.cli.shell.group import _in_options
+from pointloom.cli.shell.command_words import in_options
 from pointloom.io.images.image_files import read_color
 from pointloom.meshing.mesh.cloud_surface import _find_fit
 from pointloom.meshing.mesh.mesh_summary import describe_surface
@@ -107,14 +107,15 @@ def test_an_open_scan_is_unreliable_until_trimmed_at_the_proposed_quantile(tmp_p
     [
         ("use density_quantile 0.1", "use --density-quantile 0.1"),
         ("pass depth=9 (density_quantile).", "pass --depth 9 (--density-quantile)."),
-        ("pass depth_scale=5000, or overwrite=True", "pass --depth-scale 5000, or --force"),
+        ("pass depth_scale=5000, or overwrite=True", "pass --depth-scale 5000 of pointloom track, or --force"),
+        ("pass new_normals=True", "pass --new-normals"),
         ("/data/density_quantile.ply: is empty", "/data/density_quantile.ply: is empty"),
         ("density_quantile.ply and density_quantile/a.ply", "density_quantile.ply and density_quantile/a.ply"),
     ],
 )
 def test_messages_name_options_of_the_command_but_files_keep_their_names(text, printed):
     with click.Context(cli.commands["mesh"]):
-        assert _in_options(text) == printed
+        assert in_options(text) == printed
 
 
 def test_normals_of_the_input_are_used_and_disagreement_is_reported(ball, tmp_path):

@@ -3,6 +3,7 @@
 import dataclasses
 import io
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -15,6 +16,7 @@ import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
 from pointloom.cli.shell import console
 from pointloom.io.images.image_files import read_color
+from pointloom.io.points.scan_files import list_scans
 from pointloom.registration import LidarOdometry
 from pointloom.registration.globally import pair as pair_module
 from pointloom.registration.globally.pair import METHODS
@@ -316,7 +318,7 @@ def test_a_job_gives_the_poses_of_one_process_and_the_status_of_each_pair(views,
     written = (tmp_path / "job.log").stat().st_mtime_ns
     assert unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)["tried"] == report["tried"]
     assert (tmp_path / "job.log").stat().st_mtime_ns > written
-    assert "voxel_size 0.2" in refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
+    assert "--voxel 0.2" in refusal(*how, tmp_path / "other.log", "--job", tmp_path / "job", "--voxel", 0.2)
 
 
 def test_an_unreadable_scan_stops_a_job_that_the_same_command_resumes(views, tmp_path):
@@ -391,6 +393,33 @@ def test_map_writes_the_cloud_the_path_and_a_picture(drive, tmp_path):
     assert read_color(picture).shape[2] == 3 and report["files"] == [str(cloud), str(poses), str(picture)]
     assert (report["scans"], report["submaps"], report["loops"], report["reliable"]) == (5, 1, [], True)
     assert "0 of 0 compared pairs" in output_of("map", drive, "-o", tmp_path / "b.ply", *INDOORS)
+
+
+def test_sequences_of_kitti_have_the_scans_of_velodyne_and_the_times_of_their_file(drive, tmp_path):
+    sequence = tmp_path / "00"
+    sequence.mkdir()
+    scans = list_scans(drive)
+    drive.rename(sequence / "velodyne")
+    for k, scan in enumerate(scans):  # the second is missing
+        (sequence / "velodyne" / scan.name).rename(sequence / "velodyne" / f"{k + (k > 0):06d}.bin")
+    (sequence / "calib.txt").write_text("P0: 1 2 3\n")
+    times = sequence / "times.txt"
+    times.write_text("".join(f"{0.1 * k:e}\n" for k in range(len(scans) + 1)))
+    expected = [0.0, *(0.1 * k for k in range(2, len(scans) + 1))]
+    for words in (("odometry", "-o"), ("map", "-o", tmp_path / "map.ply", "--trajectory")):
+        output_of(words[0], sequence, *words[1:], tmp_path / f"{words[0]}.tum", *INDOORS)
+        np.testing.assert_allclose(loom.read_trajectory(tmp_path / f"{words[0]}.tum").timestamps, expected)
+    facts = answer("info", sequence)["files"][0]
+    assert len(facts["files"]) == len(scans) and facts["duration_s"] == pytest.approx(expected[-1])
+    for text, reason in (
+        ("0\n0.1\n", r"times\.txt: has 2 times, and none for 000005\.bin"),
+        (
+            "".join(f"{-k}\n" for k in range(len(scans) + 1)),
+            r"times\.txt: the time of 000002\.bin is -2 s, after -?0 s",
+        ),
+    ):
+        times.write_text(text)
+        assert re.search(reason, refusal("odometry", sequence, "-o", tmp_path / "p.tum", *INDOORS))
 
 
 def test_map_shows_its_page_until_it_is_closed(drive, tmp_path, monkeypatch):

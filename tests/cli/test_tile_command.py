@@ -103,8 +103,8 @@ def test_finish_writes_the_requested_file_and_refuses_names_of_other_formats(job
     assert answer("tile", "finish", "job", "-o", "out.copc.laz", "--output", "copc")["files"] == ["out.copc.laz"]
     assert len(open_copc(job / "out.copc.laz").read().points) == count
     for words, message in (
-        ("--output copc -o out.laz", "is not a file name for output='copc'. Use the extension .copc.laz"),
-        ("--output laz -o out.copc.laz", "is not a file name for output='laz'"),
+        ("--output copc -o out.laz", "is not a file name for --output 'copc'. Use the extension .copc.laz"),
+        ("--output laz -o out.copc.laz", "is not a file name for --output 'laz'"),
         ("-o out.xyz", "is not a file name of a LAS or LAZ file. Use the extension .laz or .las or .copc.laz"),
     ):
         assert message in " ".join(refusal("tile", "finish", "job", *words.split()).split())

@@ -140,6 +140,19 @@ def test_a_plan_that_is_a_view_is_an_error(tmp_path):
         read_plan(tmp_path)
 
 
+@pytest.mark.parametrize("use", [lambda path: Manifest(path.parent), lambda path: open_database(path).__enter__()])
+def test_databases_that_end_within_a_page_are_an_error(tmp_path, use):
+    """SQLite fills up the page with zeros."""
+    path = tmp_path / NAME
+    with contextlib.closing(sqlite3.connect(path)) as base:
+        base.execute("CREATE TABLE meta (key, value)")
+        base.execute("INSERT INTO meta VALUES ('plan', zeroblob(9000))")
+        base.commit()
+    path.write_bytes(path.read_bytes()[:-10])
+    with pytest.raises(FileError, match="is cut off: it has 16374 bytes, which are not complete pages of 4096"):
+        use(path)
+
+
 def test_a_bounded_query_ends(tmp_path):
     with contextlib.closing(sqlite3.connect(tmp_path / "a.db")) as base:
         base.execute("CREATE TABLE a (b)")

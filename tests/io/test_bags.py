@@ -7,7 +7,7 @@ import sqlite3
 import struct
 import tracemalloc
 import warnings
-from contextlib import closing, nullcontext
+from contextlib import closing, nullcontext, suppress
 from pathlib import Path
 
 import numpy as np
@@ -92,14 +92,14 @@ def file_of(path):
     return path if path.is_file() else next(p for p in path.iterdir() if p.suffix in (".mcap", ".db3"))
 
 
-def in_small_chunks(path):
+def in_small_chunks(path, compress="ZSTD"):
     """The same MCAP file in chunks of about 20 kB, written by `mcap`."""
     from mcap.reader import make_reader
-    from mcap.writer import Writer
+    from mcap.writer import CompressionType, Writer
 
     other = path.with_name("chunks.mcap")
     with path.open("rb") as source, other.open("wb") as file:
-        writer, channels = Writer(file, chunk_size=20_000), {}
+        writer, channels = Writer(file, 20_000, CompressionType[compress]), {}
         writer.start(profile="ros2")
         for schema, channel, message in make_reader(source).iter_messages():
             if channel.topic not in channels:
@@ -124,6 +124,50 @@ def test_scans_are_ordered_by_time_and_exact(tmp_path, form, compress):
         np.testing.assert_array_equal(cloud.points.astype(np.float32), points_of(scan))
         np.testing.assert_allclose(cloud["time"], np.linspace(0, 0.1, len(cloud)), atol=1e-7)
     assert len(scans) == 6
+
+
+def payloads(path):
+    """Time [ns] and bytes of the messages of each topic. Rejected messages and warnings are left out."""
+    found = {}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RecordingWarning)
+        recording = loom.open_recording(path)
+    for topic in recording.topics:
+        for row in recording.rows_of(topic.name):
+            with suppress(FileError):
+                found.setdefault(topic.name, []).append((row[0], recording.bytes_at(row)[1]))
+    return found
+
+
+def payloads_of_libraries(path):
+    if path.suffix == ".mcap":
+        from mcap.reader import make_reader
+
+        with path.open("rb") as file:
+            messages = [
+                (c.topic, m.log_time, m.data) for _, c, m in make_reader(file, validate_crcs=True).iter_messages()
+            ]
+    else:
+        with rosbag1.Reader(path) if path.suffix == ".bag" else rosbag2.Reader(path.parent) as reader:
+            messages = [(connection.topic, time, bytes(data)) for connection, time, data in reader.messages()]
+    return {name: [message[1:] for message in messages if message[0] == name] for name in {m[0] for m in messages}}
+
+
+@pytest.mark.parametrize(("form", "compress"), [
+    ("db3", None), *[("bag1", name) for name in (None, "BZ2", "LZ4")], *[("mcap", c) for c in ("NONE", "LZ4", "ZSTD")],
+])  # fmt: skip
+def test_complete_files_have_the_messages_of_other_readers_and_truncated_ones_no_others(tmp_path, form, compress):
+    path = file_of(write(tmp_path, form, topics=("/b", "/a"), compress=compress if form == "bag1" else None))
+    path = in_small_chunks(path, compress) if form == "mcap" else path
+    complete, data = payloads(path), path.read_bytes()
+    assert complete == payloads_of_libraries(path) and [len(complete[name]) for name in ("/a", "/b")] == [6, 6]
+    counts, short = set(), tmp_path / f"short{path.suffix}"
+    for size in np.linspace(0, len(data) - 1, 25).astype(int):
+        short.write_bytes(data[:size])
+        with suppress(FileError):
+            counts.add(sum(map(len, (found := payloads(short)).values())))
+            assert all({*found[name]} <= {*complete[name]} for name in found)
+    assert len(counts) > 2 and max(counts) <= 12
 
 
 @pytest.mark.parametrize("driver", DRIVERS)
@@ -503,11 +547,14 @@ def test_rows_that_a_damaged_page_hides_or_repeats_are_reported(tmp_path):
     assert changed_count > 10
 
 
-def db3_of(path, *rows):
+def db3_of(path, *rows, index=False, page_size=4096):
     with closing(sqlite3.connect(path)) as base:
+        base.execute(f"PRAGMA page_size = {page_size}")
         base.execute("PRAGMA synchronous = OFF")
         for table, columns in DB3.items():
             base.execute(f"CREATE TABLE {table} ({columns})")
+        if index:
+            base.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
         base.executemany("INSERT INTO topics VALUES (?, ?, ?, ?)", [(1, "/a", "std_msgs/msg/String", "cdr")])
         base.executemany("INSERT INTO messages VALUES (?, 1, ?, ?)", rows)
         base.commit()
@@ -527,6 +574,30 @@ def test_damaged_rows_of_a_database_are_named_and_the_others_remain(tmp_path, mo
     Path("run.db3").write_bytes(edit(Path("run.db3").read_bytes()))
     found = damage_of("run.db3")
     assert found[0] == count and reason in found[1]
+
+
+@pytest.mark.parametrize("page_size", [512, 4096, 65536])
+@pytest.mark.parametrize("index", [False, True])
+def test_only_rows_on_the_incomplete_page_of_a_cut_database_are_left_out(tmp_path, page_size, index):
+    """SQLite fills up that page with zeros. Rows are in leaves of the table, or continue on overflow pages."""
+    rng, path, short = np.random.default_rng(page_size), tmp_path / "run.db3", tmp_path / "short.db3"
+    sizes = rng.choice([3, 40, 300, 470, 500, 4090, 9000, 70_000], 150, p=[0.3, 0.2, 0.2, 0.1, 0.05, 0.05, 0.05, 0.05])
+    rows = [(3 * k - 50, 10 * k, rng.integers(1, 256, size).astype("u1").tobytes()) for k, size in enumerate(sizes)]
+    db3_of(path, *rows, index=index, page_size=page_size)
+    complete, data, count = {*payloads(path)["/a"]}, path.read_bytes(), 0
+    for size in rng.integers(3 * page_size, len(data), 12):
+        found = []
+        for end in (size, size // page_size * page_size):
+            short.write_bytes(data[:end])
+            found.append(set())
+            with suppress(FileError):
+                found[-1] |= {*payloads(short).get("/a", [])}
+        assert found[1] <= found[0] <= complete
+        count += len(found[0])
+    assert count > 300
+    short.write_bytes(data[:-1])
+    with pytest.warns(RecordingWarning, match=f"messages: its last page has {page_size - 1} bytes"):
+        loom.open_recording(short)
 
 
 def test_paths_without_a_recording_are_named(tmp_path):

@@ -14,7 +14,9 @@ from PIL import Image
 from scipy.spatial.transform import Rotation, Slerp
 
 import pointloom as loom
+from pointloom.cli.jobs.recorded_positions import read_positions
 from pointloom.cli.shell.cli import cli
+from pointloom.core.coordinate_systems import CoordinateSystem
 from pointloom.core.errors import FileError
 from pointloom.io.bags.clouds import table_of_livox
 from pointloom.io.frames.rgbd_sources import RGBDSource
@@ -324,7 +326,7 @@ def test_recording_without_depth_is_an_error(tmp_path):
 def test_command_reads_a_recording_and_rejects_missing_topics(tmp_path):
     path = write_frames(tmp_path, count=3)
     result = CliRunner().invoke(cli, ["track", str(path), "-o", str(tmp_path / "poses.tum"), "--depth-scale", "500"])
-    assert result.exit_code == 1 and "is a recording, for which depth_scale is not an option" in result.output
+    assert result.exit_code == 1 and "is a recording, for which --depth-scale is not an option" in result.output
     result = CliRunner().invoke(cli, ["track", str(path), "-o", str(tmp_path / "poses.tum"), "--json"])
     assert json.loads(result.stdout)["layout"] == "recording"
 
@@ -705,3 +707,80 @@ def test_truncated_or_inconsistent_cloud_is_named(tmp_path):
     for end in (0, 10, 20, 30, len(data) - 1):
         with pytest.raises(FileError, match=r"/run\.bag:"):
             table_of_livox(recording.path, data[:end], encoding)
+
+
+FIX = "sensor_msgs/msg/NavSatFix"
+
+
+def send_fix(out, time, place, *, status=0, variances=(0.04, 0.09, 1.0), kind=2, frame="gps"):
+    state = out.store.types["sensor_msgs/msg/NavSatStatus"](status, 1)
+    covariance = np.diag(variances).ravel().astype(float)
+    out.send("/gps/fix", FIX, time, state, *map(float, place), covariance, kind, frame=frame)
+
+
+def street_with_fixes(folder, form="mcap", *, mount=(0.5, 0.0, 1.0)):
+    """A drive with positions by GNSS at 5 Hz. The antenna is at `mount` [m] in the frame of the scanner, if given."""
+    scene, frame = loom.datasets.street_scans(6), loom.WorldFrame(47.5, 8.25, 430.0)
+    with Writer(folder, form) as out:
+        if mount is not None:
+            send_tf(out, "/tf_static", 0.5, "lidar", "gps", mount, [0, 0, 0, 1])
+        for k, (scan, pose) in enumerate(zip(scene.scans, scene.poses, strict=True)):
+            message = cloud_message(out.store, "velodyne")
+            message.header = out.header(1.0 + 0.2 * k, "lidar")
+            rows = np.zeros((len(scan), 22), np.uint8)
+            rows[:, :12] = scan.points.astype("<f4").view(np.uint8).reshape(-1, 12)
+            rows[:, 18:] = scan["time"].astype("<f4").view(np.uint8).reshape(-1, 4)
+            message.width, message.row_step, message.data = len(rows), rows.size, rows.reshape(-1)
+            out.write("/points", CLOUD, 1.0 + 0.2 * k, message)
+            antenna = pose[:3, :3] @ np.array(mount or (0, 0, 0)) + pose[:3, 3]
+            send_fix(out, 1.0 + 0.2 * k, frame.to_geodetic([antenna])[0])
+        send_fix(out, 9.0, (47.6, 8.25, 430.0), status=-1)
+        send_fix(out, 9.2, (np.nan, np.nan, np.nan))
+    return out.path, scene.poses
+
+
+@pytest.mark.parametrize("form", ["bag1", "mcap"])
+@pytest.mark.parametrize("mount", [(0.5, 0.0, 1.0), None])
+def test_positions_of_gnss_in_a_recording_have_meters_deviations_and_the_antenna(tmp_path, form, mount):
+    path, poses = street_with_fixes(tmp_path, form, mount=mount)
+    given = read_positions("/gps/fix", 3.0, path, None)
+    readings = given.readings
+    np.testing.assert_allclose(readings.times, 1.0 + 0.2 * np.arange(6), atol=1e-6)
+    antennas = poses[:, :3, :3] @ np.array(mount or (0, 0, 0)) + poses[:, :3, 3]
+    np.testing.assert_allclose(readings.positions, antennas - antennas[0], atol=1e-3)
+    np.testing.assert_allclose(readings.sigma, np.tile([0.2, 0.3, 1.0], (6, 1)))
+    assert readings.offset.tolist() == list(mount or (0, 0, 0))
+    assert "47.5" in given.notes[0] and "2 of 8 messages of /gps/fix have no position" in given.notes[-1]
+    assert any("is assumed at the scanner" in note for note in given.notes) == (mount is None)
+    system = read_positions("/gps/fix", 3.0, path, None, CoordinateSystem("EPSG:32632"))
+    east, north, up = system.readings.positions.T
+    assert abs(east[0] - 443_500) < 500 and abs(north[0] - 5_261_000) < 1500 and system.notes[0].endswith("EPSG:32632")
+    lengths = np.linalg.norm(np.diff(np.column_stack([east, north, up]), axis=0), axis=1)
+    np.testing.assert_allclose(lengths, np.linalg.norm(np.diff(antennas, axis=0), axis=1), rtol=1e-3)  # scale 0.9996
+    other = read_positions(path, 3.0, tmp_path, None).readings  # a recording of positions, for a folder of scans
+    np.testing.assert_array_equal(other.positions, readings.positions)
+
+
+def test_fixes_without_covariances_or_heights_have_the_given_deviation_and_unknown_heights(tmp_path):
+    with Writer(tmp_path) as out:
+        for k in range(3):
+            send_fix(out, 1.0 + k, (47.5, 8.25 + 1e-5 * k, np.nan), kind=0)
+            send_fix(out, 1.0 + k, (47.5, 8.25, np.nan))  # the time again
+    readings = read_positions(out.path, 3.0, tmp_path, None).readings
+    assert readings.sigma.tolist() == [[3.0, 3.0, 1e6]] * 3 and len(readings) == 3
+    assert abs(readings.positions[:, 2]).max() < 1e-3 and readings.positions[2, 0] == pytest.approx(1.506, abs=0.01)
+
+
+def test_map_takes_a_topic_of_positions_and_names_the_topics_of_a_wrong_one(tmp_path):
+    path, _ = street_with_fixes(tmp_path)
+    words = ["map", str(path), "-o", str(tmp_path / "map.ply"), "--device", "cpu", "--force", "--positions"]
+    result = CliRunner().invoke(cli, [*words, "/gps/fix"])
+    assert result.exit_code in (0, 3), result.stderr
+    assert "the reference frame is meters east, north and up" in result.stderr
+    result = CliRunner().invoke(cli, [*words, "/gps/none"])
+    assert result.exit_code == 1 and f"/gps/fix ({FIX}, 8)" in result.stderr
+    (tmp_path / "none").mkdir()
+    with Writer(tmp_path / "none") as out:
+        send_fix(out, 1.0, (0, 0, 0), status=-1)
+    with pytest.raises(FileError, match="/gps/fix: none of 1 messages has a position"):
+        read_positions(out.path, 1.0, tmp_path, None)

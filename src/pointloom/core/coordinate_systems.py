@@ -133,9 +133,10 @@ def common_crs(name: str, systems: Iterable[CoordinateSystem | None]) -> Coordin
     known = [system for system in systems if system is not None]
     for system in known[1:]:
         if not is_same_crs(system, known[0]):
+            target = f"EPSG:{known[0].epsg}" if known[0].epsg else known[0].name
             raise ValueError(
                 f"{name}: expected one coordinate system, got {known[0].name} and {system.name}. Convert one with "
-                f"reproject({known[0].name!r}), or set its crs if it is wrong"
+                f"reproject({target!r}), or set its crs if it is wrong"
             )
     if len(known) > 1:
         known.sort(key=lambda system: _parts(system)[1] is None)  # one with heights first

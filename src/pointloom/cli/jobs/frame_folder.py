@@ -14,7 +14,7 @@ from ...core.reports import Fields, failed, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds
 from ...io.bags.recording import open_recording
-from ...io.frames.datasets import RGBDDataset, open_dataset, open_frames
+from ...io.frames.datasets import REQUIRED, RGBDDataset, open_frames
 from ...io.frames.frames import camera_line, describe_camera, describe_folder, open_folder
 from .job import Done, JobReport
 
@@ -65,9 +65,9 @@ class FrameFolder:
         """Open a folder of posed frames. Raises FileError, with a hint for frames without poses."""
         camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
         given: dict[str, Any] = {"layout": options.layout, "intrinsic": camera, "every": options.every}
-        given["skip_missing"] = options.skip_missing
+        given |= {"skip_missing": options.skip_missing, "resize_color": True}
         try:
-            return cls(path, open_dataset(path, **given), options.intrinsic)
+            return cls(path, open_frames(path, poses=REQUIRED, **given), options.intrinsic)
         except DatasetError as error:
             if not _has_no_poses(path, given):
                 raise

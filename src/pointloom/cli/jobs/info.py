@@ -45,7 +45,7 @@ from ...io.points.las import attribute_types, open_las
 from ...io.points.las_crs import crs_name
 from ...io.points.las_units import units_of
 from ...io.points.ptx import describe_ptx
-from ...io.points.scan_files import natural_key
+from ...io.points.scan_files import is_kitti_sequence, list_scans, natural_key, read_scan_times
 from ...io.table import MeshTable, PointTable
 from ...pcd.geotiff import ENDINGS as RASTERS
 from ...pcd.raster import read_raster
@@ -125,15 +125,19 @@ class Description(Report, Assessed):
 
 @dataclass(frozen=True)
 class CloudFolder(Facts):
-    """A folder of clouds and meshes, and their total number of points and vertices."""
+    """A folder of clouds and meshes: their number of points and vertices, and their duration if there are times."""
 
     KIND = "folder of clouds"
+    SPARE = ("duration_s",)
 
     files: list[Description | BrokenFile]
     points: int
+    duration_s: float | None = None
 
     def fields(self) -> Fields:
-        return [("files", "\n".join(file.line() for file in self.files)), ("points", f"{self.points:,}")]
+        duration = [] if self.duration_s is None else [("duration", f"{self.duration_s:.1f} s")]
+        files = "\n".join(file.line() for file in self.files)
+        return [("files", files), ("points", f"{self.points:,}"), *duration]
 
 
 def describe(path: FilePath, *, layout: str = "auto", columns: Sequence[str] | None = None) -> Description:
@@ -261,6 +265,10 @@ def _describe_folder(folder: Path, layout: str) -> Facts:
     if layout == "auto" and not is_dataset(folder):
         if is_colmap_model(folder):
             return describe_colmap_model(folder)
+        if is_kitti_sequence(folder):
+            scans = list_scans(folder)
+            times = read_scan_times(folder, scans)
+            return replace(_describe_clouds(scans), duration_s=None if times is None else times[-1] - times[0])
         if files := _files_of_points(folder):
             return _describe_clouds(files)
     return _describe_dataset(folder, layout)
@@ -374,7 +382,7 @@ def _measure_path(poses: NDArray[np.float64]) -> CameraPath:
 
 
 def _describe_dataset(folder: Path, layout: str) -> DataSet:
-    dataset = open_frames(folder, layout=layout)
+    dataset = open_frames(folder, layout=layout, resize_color=True)
     first = dataset.read(0)
     depth = _measure_depth(first.depth)
     poses = [frame.T_world_camera for frame in dataset.frames if frame.T_world_camera is not None]

@@ -18,10 +18,10 @@ from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
 from ...kernels.linear_algebra import inv, matmul
 from ...registration.lidar.lidar_slam import LidarSLAM
-from ...registration.lidar.position_readings import PositionReadings
 from ...registration.lidar.slam_summary import LidarSLAMSummary
 from .job import Job, JobReport, Settings
 from .odometry import check_poses_output, register_scans
+from .recorded_positions import read_positions
 from .scan_source import ScanSource
 
 if TYPE_CHECKING:
@@ -46,9 +46,9 @@ class MapOutputs(NamedTuple):
 class MapInputs(NamedTuple):
     """Data besides the scans: topics as of `odometry_of_folder`, a file of positions, and the folder of a map.
 
-    `positions` is as of `PositionReadings.read`, with the sigma [m] for files without. `crs` is their coordinate
-    system, in which the cloud and the path are then written. `earlier` is the `folder` of earlier sessions, which is
-    continued with the sizes of its map.
+    `positions` is as of `read_positions`, with the sigma [m] for files without. `crs` is their coordinate system, in
+    which the cloud and the path are then written. `earlier` is the `folder` of earlier sessions, which is continued
+    with the sizes of its map.
     """
 
     topics: tuple[str | None, str | None] = (None, None)
@@ -74,6 +74,7 @@ class MapReport(JobReport):
     points: int
     map_points: int
     T_reference_world: list[list[float]] | None
+    position_notes: tuple[str, ...] = ()
 
     @property
     def scans_per_second(self) -> float:
@@ -101,7 +102,7 @@ class MapReport(JobReport):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        return (*super().notes, *self.result.notes)
+        return (*super().notes, *self.result.notes, *self.position_notes)
 
 
 def map_of_scans(
@@ -134,12 +135,11 @@ def map_of_scans(
         from ...visualization.render.plots import check_plot
 
         check_plot(picture, overwrite=job.form["overwrite"])
-    positions = inputs.positions
     system = check_crs("--crs", inputs.crs)
-    readings = None if positions is None else PositionReadings.read(positions, inputs.position_sigma)
     topic, imu = inputs.topics
+    given = read_positions(inputs.positions, inputs.position_sigma, folder, topic, system)
     scans = ScanSource.open(
-        folder, topic, settings.get("columns"), job.device, imu=imu, is_numbered=positions is not None
+        folder, topic, settings.get("columns"), job.device, imu=imu, is_numbered=given.readings is not None
     )
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
@@ -149,7 +149,7 @@ def map_of_scans(
     else:
         slam = LidarSLAM.open(inputs.earlier, device=job.device)
     with contextlib.nullcontext() if viewer is None else viewer.follow(slam):
-        points, times = register_scans(job, slam, scans, readings)
+        points, times = register_scans(job, slam, scans, given.readings)
         slam.finish()
     summary, cloud, poses, T = slam.summary, slam.map, slam.poses, slam.T_reference_world
     undetermined = None
@@ -175,7 +175,7 @@ def map_of_scans(
     done, used = job.done(*summary.warnings, undetermined), slam.odometry
     settings_used = used.voxel_size, used.max_range, used.min_range, slam.submap_length
     reference = None if T is None else T.tolist()
-    return MapReport(done, str(job.device), *settings_used, summary, points, len(cloud), reference)
+    return MapReport(done, str(job.device), *settings_used, summary, points, len(cloud), reference, given.notes)
 
 
 def _shown_pose(T: list[list[float]]) -> str:

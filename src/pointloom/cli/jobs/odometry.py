@@ -86,11 +86,11 @@ def odometry_of_folder(
     Nothing is written if no scan has points in range. See `LidarOdometry` for the ranges.
 
     Args:
-        folder: Scans in natural order: .bin as in KITTI, or clouds; or a recording or a folder of
+        folder: Scans in natural order: .bin as in KITTI, or clouds; a KITTI sequence; or a recording or a folder of
             those.
         output: Poses in a format of `write_trajectory`.
         format: "kitti", "tum" or "log". None for that of the extension. TUM times are those of a recording [s], at the
-            end of each scan, or the numbers of the scans in a folder.
+            end of each scan, or of a KITTI sequence, else the numbers of the scans in a folder.
         truth: File of true poses, one per scan; for a recording also with its times. Errors are aligned by se3.
         topics: Topics of a recording: of clouds (None for the only one), and of IMU readings on the same clock (None to
             use no IMU).
@@ -102,7 +102,7 @@ def odometry_of_folder(
     if scans.count < 2:
         raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     true_path = None if truth is None else read_trajectory(truth)
-    is_timed = scans.is_recording and true_path is not None and true_path.timestamps is not None
+    is_timed = scans.is_timed and true_path is not None and true_path.timestamps is not None
     if true_path is not None and len(true_path) != scans.count and not is_timed:
         reason = f"expected {scans.count} poses, one per scan of {os.fspath(folder)}, got {len(true_path)}"
         raise FileError(truth or "", reason, remedy="Pass the true pose of each scan")
@@ -128,7 +128,7 @@ def register_scans(
     """Register all scans in sequence, with positions for LidarSLAM.
 
     Returns:
-        The number of their points, and the times of the poses if the scans are of a recording with times [s].
+        The number of their points, and the times of the poses if the scans have them [s].
     """
     points, times = 0, []
     given: dict[str, Any] = {} if positions is None else {"positions": positions}
@@ -142,10 +142,10 @@ def register_scans(
         times.append(time)
         job.progress("scans", number, scans.count)
     missing = times.count(None)
-    if scans.is_recording and missing:
+    if scans.is_timed and missing:
         message = f"{missing} of {len(times)} headers have no time, so the poses are numbered"
         warn_of_units(f"{job.source}: {message}", RecordingWarning)
-    return points, np.array(times, np.float64) if scans.is_recording and not missing else None
+    return points, np.array(times, np.float64) if scans.is_timed and not missing else None
 
 
 def check_poses_output(job: Job, output: FilePath, format: str | None) -> str:

@@ -12,7 +12,7 @@ from ...core.devices import DeviceLike
 from ...core.errors import FileError, FilePath
 from ...core.paths import is_recording
 from ...io.bags.recording import open_recording
-from ...io.points.scan_files import list_scans, read_scans
+from ...io.points.scan_files import list_scans, read_scan_times, read_scans
 from ...kernels.memory import download
 from ...kernels.odometry.deskewing import bound_times
 from ...pcd.cloud import PointCloud
@@ -23,13 +23,14 @@ class ScanSource:
     """Scans in order: number, name of the first, and an iterator that reads them with their times, None if unknown.
 
     Times of a recording [s] are those of the last points, to which poses refer, on the clock of the headers; else those
-    of the headers. `imu` are the readings of a recording, if wanted.
+    of the headers. Those of a KITTI sequence are in its `times.txt`. `is_timed`: the times are those of a clock. `imu`
+    are the readings of a recording, if wanted.
     """
 
     count: int
     first: str
     scans: Iterator[tuple[PointCloud, float | None]]
-    is_recording: bool = False
+    is_timed: bool = False
     imu: ImuReadings | None = None
 
     @classmethod
@@ -60,9 +61,10 @@ class ScanSource:
                 reason = f"is not a recording, so it has no topic {value!r}"
                 raise FileError(path, reason, remedy=f"Leave --{name} out")
         files = list_scans(path)
-        times = map(float, count()) if is_numbered else repeat(None)
+        stored = read_scan_times(path, files)
+        times = stored or (map(float, count()) if is_numbered else repeat(None))
         clouds = read_scans(files, device=device, columns=columns)
-        return cls(len(files), files[0].name, zip(clouds, times, strict=False))
+        return cls(len(files), files[0].name, zip(clouds, times, strict=False), stored is not None)
 
 
 def _end_of(scan: PointCloud, stamp: float | None) -> float | None:

@@ -69,7 +69,7 @@ def register_scans(
     job.check(output, E57, what="stations")
     report_paths = _check_report(report, overwrite=job.form["overwrite"])
     if Path(source).suffix.lower() not in WITH_SCANS:
-        remedy = "Convert the scans, or call loom.registration.register_stations"
+        remedy = "Write the scans as one file of stations first"
         raise FileError(source, f"is not an {listed(WITH_SCANS)} file", remedy=remedy)
     with job.stage("read"):
         scans = _filled(read_stations(source, device=job.device), source)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Unpack
 
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.pose_text import read_pose
+from ...core.coordinate_systems import check_crs
 from ...core.coordinates import finite_box
 from ...core.errors import FileError, FilePath
 from ...core.joined_parts import MissingPartsWarning
@@ -209,6 +210,7 @@ def transform_file(
     translate: tuple[float, float, float] | None = None,
     scale: float | None = None,
     epsg: str | None = None,
+    from_crs: str | None = None,
     unit: str | None = None,
     **settings: Unpack[Settings],
 ) -> TransformReport:
@@ -223,6 +225,9 @@ def transform_file(
     matrix[:3, :3] *= 1.0 if scale is None else scale
     is_mesh = tables.is_mesh_file(source) and Path(output).suffix.lower() in MESH_FORMATS
     table, shape = (None, job.read_mesh()) if is_mesh else job.read_exact_cloud()
+    if from_crs is not None:
+        shape.crs = check_crs("from_crs", from_crs)
+        table = table if table is None else replace(table, crs=shape.crs)
     with job.stage("transform"):
         moved = shape.reproject(epsg) if epsg else shape.to_unit(unit) if unit else shape.transform(matrix)
     job.unit = moved.unit

@@ -16,7 +16,7 @@ from ...core.outputs import check_output
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
-from ...io.frames.datasets import RGBDDataset, open_dataset
+from ...io.frames.datasets import REQUIRED, RGBDDataset, open_frames
 from ...io.meshes.mesh_formats import storing
 from ...meshing.color_map.image_texture_result import ImageTextureResult
 from ...meshing.color_map.results import NothingSeenError
@@ -50,7 +50,7 @@ def texture_folder(
     `work_folder_of(output)` until the output is written.
 
     Args:
-        folder: See `open_dataset`, with the options `layout`. Its "intrinsic" is a camera as Open3D's JSON, which
+        folder: See `open_frames`, with the options `layout`. Its "intrinsic" is a camera as Open3D's JSON, which
             replaces that of the folder.
         output: A .ply for vertex colors, or a format of WITH_ATLAS for a texture of `size` texels per side.
         picture: A .png file of the mesh with vertex colors.
@@ -143,7 +143,7 @@ class TextureReport(Report, Assessed):
 
 
 def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
-    dataset = open_dataset(folder, **options)
+    dataset = open_frames(folder, poses=REQUIRED, resize_color=True, **options)
     if any(files.color is None for files in dataset.frames):
         raise FileError(dataset.folder, "expected frames with color images, got frames without")
     return dataset

@@ -1,5 +1,6 @@
 """Console output of commands: progress on stderr, a summary or one JSON object on stdout.
 
+The options -q and -v set the level of the logger "pointloom": ERROR without progress and notices, DEBUG with stages.
 rich is imported with the first progress bar only, so that `--help` is fast.
 """
 
@@ -18,6 +19,7 @@ import click
 from ...core.escaped_text import escaped
 from ...core.reports import rows_of
 from ...core.standard_streams import is_terminal
+from ...core.verbosity import LOGGER
 from ...core.wording import format_duration, json_text
 
 # [s] between lines of progress if stderr is a file: 12 lines per minute.
@@ -48,7 +50,7 @@ class Progress:
         self._started: dict[str, tuple[float, int]] = {}  # time and finished steps when a stage was first reported
 
     def __enter__(self) -> Progress:
-        if is_terminal(sys.stderr):
+        if is_terminal(sys.stderr) and not is_quiet():
             from rich.console import Console
             from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
             from rich.progress import Progress as Bar
@@ -77,6 +79,8 @@ class Progress:
         if self._kept is not None and not self._started:
             again = f"the same command{self._resume} continues from it after an interruption"
             self._print(f"intermediate files: {self._kept}; {again}")
+        if _is_verbose() and stage not in self._started:
+            self._print(f"{stage}, after {time.monotonic() - self._began:.1f} s")
         self._started.setdefault(stage, (time.monotonic(), done))
         if self._bar is None:
             self._print_line(stage, done, total)
@@ -86,6 +90,8 @@ class Progress:
         self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
 
     def _print(self, line: str) -> None:
+        if is_quiet():
+            return
         if self._bar is None:
             click.echo(escaped(line), err=True)
         else:
@@ -111,28 +117,42 @@ class Progress:
         return f"{done / max(time.monotonic() - self._began, 1e-3):.1f} {stage}/s" if self._rates and done else ""
 
 
-class CompileNotice(logging.Handler):
-    """Log handler that reports once on stderr that kernels are being compiled."""
+def is_quiet() -> bool:
+    """True after -q."""
+    return LOGGER.level >= logging.ERROR
+
+
+class Notices(logging.Handler):
+    """Log handler that reports once on stderr that kernels are being compiled. After -v all records and the time."""
 
     def __init__(self):
-        super().__init__(logging.INFO)
-        self._logger = logging.getLogger("pointloom")
+        super().__init__(logging.DEBUG)
+        self._began = time.monotonic()
         self._was_printed = False
 
     def __enter__(self) -> None:
-        self._level = self._logger.level
-        self._logger.setLevel(logging.INFO)
-        self._logger.addHandler(self)
+        self._level = LOGGER.level
+        LOGGER.setLevel(logging.INFO)
+        LOGGER.addHandler(self)
 
     def __exit__(self, *_: object) -> None:
-        self._logger.removeHandler(self)
-        self._logger.setLevel(self._level)
+        if _is_verbose():
+            click.echo(f"finished after {time.monotonic() - self._began:.1f} s", err=True)
+        LOGGER.removeHandler(self)
+        LOGGER.setLevel(self._level)
 
     def emit(self, record: logging.LogRecord) -> None:
         """Print the notice, without the progress of the library's record."""
-        if getattr(record, "compiles", False) and not self._was_printed:
+        if _is_verbose() and record.name == LOGGER.name:
+            elapsed = f", after {time.monotonic() - self._began:.1f} s" if record.levelno == logging.DEBUG else ""
+            click.echo(escaped(record.getMessage(), lines=True) + elapsed, err=True)
+        elif getattr(record, "compiles", False) and not self._was_printed:
             self._was_printed = True
             click.echo("compiling kernels for their first use on this machine; later runs start at once", err=True)
+
+
+def _is_verbose() -> bool:
+    return LOGGER.level == logging.DEBUG
 
 
 def print_json(report: dict[str, Any]) -> None:

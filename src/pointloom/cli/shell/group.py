@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import re
 import sys
 import warnings
 from collections.abc import Iterable, Sequence
@@ -16,25 +15,14 @@ from typing import Any
 
 import click
 
+from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...kernels.language.environment import check_environment
-from .console import CompileNotice, OutputLostError, print_json
+from .command_words import in_options
+from .console import Notices, OutputLostError, is_quiet, print_json
+from .options import COMMAND, VERBOSITY
 
 ERROR_CODE, USAGE_CODE, UNRELIABLE_CODE, INTERRUPTED_CODE, TERMINATED_CODE = 1, 2, 3, 130, 143
-
-# Remedies of the library in terms of the command line.
-_OPTIONS = {
-    "overwrite=True": "--force",
-    "layout=,": "--layout,",
-    "intrinsic=": "--intrinsic",
-    "columns=": "--columns",
-    "skip_missing=True": "--skip-missing",
-    "depth_scale=": "--depth-scale",
-    "Call plan_tiles(sources, steps, folder) first, then run_tiles": "Run pointloom tile plan first, then tile run",
-    "call retry_tiles(folder)": "run pointloom tile retry",
-    "call run_tiles, then finish_tiles": "call pointloom tile run, then tile finish",
-    "Call run_tiles, or first retry_tiles": "Call pointloom tile run, or first tile retry",
-}
 
 TRACEBACK = "POINTLOOM_TRACEBACK"
 
@@ -42,6 +30,13 @@ _NoCommand: Any = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.
 
 
 class Commands(click.Group):
+    """A click group of commands with the options -q and -v."""
+
+    def add_command(self, cmd: click.Command, name: str | None = None) -> None:
+        if not isinstance(cmd, click.Group):
+            VERBOSITY(cmd)
+        super().add_command(cmd, name)
+
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
@@ -58,6 +53,8 @@ class Commands(click.Group):
 class CommandLine(Commands):
     """A click group that turns exceptions into one line on stderr and an exit code."""
 
+    _context: click.Context | None = None
+
     def main(
         self,
         args: Sequence[str] | None = None,
@@ -67,8 +64,9 @@ class CommandLine(Commands):
         **extra: Any,
     ) -> Any:
         words = list(sys.argv[1:] if args is None else args)
+        self._context = None
         try:
-            with warnings.catch_warnings(), CompileNotice():
+            with warnings.catch_warnings(), Notices():
                 warnings.showwarning = _show_warning
                 if words[:1] != ["doctor"]:  # which reports a wrong value
                     check_environment()
@@ -77,7 +75,8 @@ class CommandLine(Commands):
             click.echo(error.ctx.get_help())
             code = 0
         except Exception as error:
-            code, message = _exit_code(error), report_error(error)
+            with self._command_context():
+                code, message = _exit_code(error), report_error(error)
             if isinstance(error, click.UsageError) and error.ctx is not None:
                 click.echo(f"See '{error.ctx.command_path} --help'.", err=True)
             if "--json" in words:
@@ -85,10 +84,19 @@ class CommandLine(Commands):
                     print_json({"error": message, "exit_code": code})
         sys.exit(_flushed(code or 0))
 
+    def make_context(self, *words: Any, **extra: Any) -> click.Context:
+        self._context = super().make_context(*words, **extra)
+        return self._context
+
+    def _command_context(self) -> contextlib.AbstractContextManager[Any]:
+        """The context of the command that has ended, for its options."""
+        context = self._context and self._context.meta.get(COMMAND)
+        return contextlib.nullcontext() if context is None else context.scope(cleanup=False)
+
 
 def exit_code(warnings: Iterable[str]) -> int:
     """Exit code of a result: 3, with the warnings on stderr, if there are any. Else 0."""
-    lines = [escaped(f"unreliable result: {_in_options(warning)}", lines=True) for warning in warnings]
+    lines = [escaped(f"unreliable result: {in_options(warning)}", lines=True) for warning in warnings]
     for line in lines:
         click.echo(line, err=True)
     return UNRELIABLE_CODE if lines else 0
@@ -174,7 +182,8 @@ def _message(error: Exception) -> str:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
     is_own_error = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
     if is_own_error or isinstance(error, ValueError | TypeError | OSError):
-        return _in_options(str(error) or type(error).__name__)
+        text, name = str(error) or type(error).__name__, escaped(error.path) if isinstance(error, FileError) else ""
+        return name + in_options(text.removeprefix(name))  # a file keeps its name
     return (
         f"unexpected {type(error).__name__}: {error}. This is a bug in pointloom; "
         f"set {TRACEBACK}=1 and report the error with the traceback"
@@ -184,18 +193,6 @@ def _message(error: Exception) -> str:
 def _show_warning(
     message: Warning | str, category: Any, filename: str, lineno: int, file: Any = None, line: str | None = None
 ) -> None:
-    click.echo(escaped(f"warning: {_in_options(str(message))}", lines=True), err=True)
-
-
-def _in_options(text: str) -> str:
-    """A message of the library with options instead of arguments: those of the running command, and fixed ones."""
-    context = click.get_current_context(silent=True)
-    pairs = [*_OPTIONS.items()]
-    for option in context.command.params if context else ():
-        if isinstance(option, click.Option) and option.name:
-            pairs += [(end, option.opts[0]) for end in (f"{option.name}=", option.name) if end[-1] == "=" or "_" in end]
-    for argument, option in pairs:
-        start = rf"(?<![\w/.-]){re.escape(argument)}"  # not within the name of a file
-        text = re.sub(rf"{start}(?=[\w'\"])", f"{option} ", text) if argument.endswith("=") else text
-        text = re.sub(rf"{start}(?!\w|[/.]\w)", option, text)
-    return text
+    if is_quiet():
+        return
+    click.echo(escaped(f"warning: {in_options(str(message))}", lines=True), err=True)

@@ -14,6 +14,7 @@ import click
 
 from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.trajectory_formats import NUMBERED
+from ...core.verbosity import VerbosityLevel, set_verbosity_level
 from ...io.file_formats import listed
 from ...io.meshes.mesh_formats import UPRIGHT, UPS, WITH_TEXT_FORM
 from ...io.points.formats import WITH_NAMED_COLUMNS
@@ -125,6 +126,29 @@ PICTURE = option("--picture=PNG", FILE, "Also render the mesh.")
 COLUMNS = option(
     "--columns=NAMES", ColumnNames(), f"Column names of {words(WITH_NAMED_COLUMNS)}, such as x,y,z,intensity,ring."
 )
+
+
+COMMAND = "pointloom.command"  # key of the context of the command
+
+
+def _set_level(context: click.Context, parameter: click.Parameter, is_set: bool) -> None:
+    """Set the level of the library's logger until the command ends, and store the context of the command."""
+    context.meta[COMMAND] = context
+    if is_set and context.meta.setdefault("pointloom.verbosity", parameter.name) != parameter.name:
+        refuse("-q excludes -v")
+    if is_set:
+        set_verbosity_level(VerbosityLevel.Error if parameter.name == "quiet" else VerbosityLevel.Debug)
+
+
+VERBOSITY = in_order(
+    option(
+        "-v --verbose", bool, "Also print stages, compiled kernels and times.", expose_value=False, callback=_set_level
+    ),
+    option(
+        "-q --quiet", bool, "Print only results and errors: no progress, notices or warnings.", expose_value=False,
+        callback=_set_level,
+    ),
+)  # fmt: skip
 UP = option(
     "--up", [*UPS], f"Up axis of the data. {listed(UPRIGHT, 'and')} files are y-up, and z rotates them.", default="y"
 )

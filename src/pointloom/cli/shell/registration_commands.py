@@ -206,7 +206,8 @@ TOPIC_OPTIONS = in_order(
 @option(
     "--format",
     ["kitti", "tum", "log"],
-    "Format. Default: by extension, with kitti for .txt. Times of tum are those of a recording, or scan numbers.",
+    "Format. Default: by extension, with kitti for .txt. Times of tum are those of a recording or of times.txt, or "
+    "scan numbers.",
 )
 @option(
     "--voxel voxel_size=M", LENGTH, "Voxel size of the map [m]. Default: 1% of --max-range, more if ranges are noisy."
@@ -221,6 +222,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     """Register the scans of DIR in sequence, and write the pose of each: T_first_scan.
 
     Scans are .bin files (KITTI's columns, unless --columns is given) or clouds, in natural order (scan2 before scan10).
+    DIR may be a sequence of KITTI with the folder velodyne, whose times.txt has the times.
     Scans with point times are deskewed. Indoors use a smaller --max-range and --min-range 0.5.
 
     The exit code is 3 if a scan did not overlap the earlier ones (its pose is then extrapolated with constant
@@ -260,7 +262,11 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
 @option("--submap-length=M", LENGTH, "Path length of a submap [m]. Default: 30% of --max-range.")
 @option("--submaps=DIR", FILE, "Write the submaps and their graph to a new folder, for --continue.")
 @option("--continue earlier=DIR", FILE, "Continue the map of --submaps with a new session, and write it there.")
-@option("--positions=FILE", FILE, "Positions of GNSS: lines of time x y z [sigma], or a TUM trajectory.")
+@option(
+    "--positions=FILE",
+    FILE,
+    "Positions of GNSS: lines of time x y z [sigma], a TUM trajectory, a recording of NavSatFix, or a topic of these.",
+)
 @option("--position-sigma=M", LENGTH, "Standard deviation of positions without one [m].", default=1.0)
 @option(
     "--crs=SYSTEM", str, "Coordinate system of --positions, such as EPSG:25832. MAP and POSES are then written in it."
@@ -276,9 +282,11 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     submaps closes a loop if their surfaces agree in one pose only, and if the drift of the path explains it. Places
     that only look alike are reported and not used.
 
-    Times of --positions are those of the recording [s], or the numbers of the scans in a folder, from 0. Their frame is
-    level and of their own: its pose is estimated. Positions that contradict the map are refused. The map has the frame
-    of the first scan, or that of the positions with --crs.
+    Times of --positions are those of the recording [s] or of times.txt, or the numbers of the scans in a folder, from
+    0. Their frame is level and of their own: its pose is estimated. Positions that contradict the map are refused.
+    The map has the frame of the first scan, or that of the positions with --crs.
+    Those of NavSatFix have the times of their headers, their covariances, and a frame of east, north and up. Their
+    antenna is where the static transforms of the recording place it.
 
     --continue maps a second drive in the frame of the first, with its sizes, if three submaps recognize their place.
 
@@ -291,6 +299,7 @@ def map_scans(folder: Path, output: Path, as_json: bool, force: bool, **options:
     pointloom map run.mcap -o map.laz --trajectory path.tum --picture map.png
     pointloom map velodyne -o map.ply --max-range 80
     pointloom map first.bag -o first.laz --submaps submaps --positions gnss.csv --crs EPSG:25832
+    pointloom map run.mcap -o map.laz --positions /gps/fix
     pointloom map second.bag -o both.laz --continue submaps
     """
     earlier = options.pop("earlier")

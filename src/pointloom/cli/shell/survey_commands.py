@@ -163,7 +163,8 @@ def merge(files: tuple[Path, ...], output: Path, as_json: bool, force: bool, up:
 @option("--inverse", bool, "With --pose: apply the inverse motion.")
 @option("--translate=X Y Z", ANY, "Translation [m].", nargs=3)
 @option("--scale=F", FACTOR_TYPE, "Factor of all coordinates.")
-@option("--crs epsg=SYSTEM", str, "Target coordinate system, such as EPSG:25832. Requires that of IN.")
+@option("--crs epsg=SYSTEM", str, "Target coordinate system, such as EPSG:25832. Requires that of IN, or --from-crs.")
+@option("--from-crs=SYSTEM", str, "With --crs: coordinate system of IN. Default: that in its header.")
 @option("--unit=NAME", str, "Target unit, such as foot. Requires that of IN.")
 @from_cloud_to_cloud()
 def transform(source: Path, output: Path, inverse: bool, **options: Any) -> Answer:
@@ -183,6 +184,8 @@ def transform(source: Path, output: Path, inverse: bool, **options: Any) -> Answ
     }
     if len(ways) != 1:
         refuse("expected one of --pose, --translate, --scale, --crs and --unit")
+    if options["from_crs"] is not None and "epsg" not in ways:
+        refuse("--from-crs requires --crs")
     if inverse and "pose" not in ways:
         refuse("--inverse requires --pose")
     with Progress() as progress:

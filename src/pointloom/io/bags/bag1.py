@@ -115,15 +115,12 @@ class _Bag:
     def is_trusted(self, chunk: Chunk, info: _Info | None, is_cut_off: bool) -> bool:
         """True if a chunk's index is complete, without reading its messages.
         A complete bag without a list of chunks was not closed by its recorder, so nothing confirms its indexes."""
-        rows = chunk.rows
-        if not rows or not chunk.is_consistent or not chunk.channels <= self.contents.channels.keys():
-            return False
-        if len({offset for _, _, offset in rows}) < len(rows) or max(offset for _, _, offset in rows) >= chunk.size:
+        if not chunk.is_plausible(self.contents.channels):
             return False
         if info is None:
             return is_cut_off
-        is_in_time = all(info.start <= time <= info.end for time, _, _ in rows)
-        return is_in_time and Counter(connection for _, connection, _ in rows) == info.counts
+        is_in_time = all(info.start <= time <= info.end for time, _, _ in chunk.rows)
+        return is_in_time and Counter(connection for _, connection, _ in chunk.rows) == info.counts
 
     def search(self, chunk: Chunk, info: _Info | None) -> None:
         """Read connections and messages from the records of a chunk."""
@@ -142,8 +139,8 @@ class _Bag:
         except _DAMAGED as error:
             self.contents.note(f"has a damaged chunk: {error}")
         else:
-            is_other = not chunk.is_consistent or (chunk.channels and sorted(rows) != sorted(chunk.rows))
-            if is_other or (info is not None and Counter(connection for _, connection, _ in rows) != info.counts):
+            counts = Counter(connection for _, connection, _ in rows)
+            if chunk.differs_from(rows) or (info is not None and counts != info.counts):
                 self.contents.note(
                     f"has an index that contradicts its messages, which were used, at byte {chunk.begin}"
                 )

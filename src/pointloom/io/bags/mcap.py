@@ -152,12 +152,8 @@ class _File:
 
     def is_trusted(self, chunk: _Chunk) -> bool:
         """True if a chunk's index is consistent, without reading its messages."""
-        rows = chunk.rows
-        if not rows or not chunk.is_consistent or not chunk.channels <= self.contents.channels.keys():
-            return False
-        if len({offset for _, _, offset in rows}) < len(rows) or max(offset for _, _, offset in rows) >= chunk.size:
-            return False
-        return (min(rows)[0], max(rows)[0]) == (chunk.start, chunk.end)
+        times = [time for time, _, _ in chunk.rows]
+        return chunk.is_plausible(self.contents.channels) and (min(times), max(times)) == (chunk.start, chunk.end)
 
     def is_confirmed(self) -> bool:
         """True if the message counts per channel match the statistics."""
@@ -186,7 +182,7 @@ class _File:
         except _DAMAGED as error:
             self.contents.note(f"has a damaged chunk: {error}")
         else:
-            if not chunk.is_consistent or (chunk.channels and sorted(rows) != sorted(chunk.rows)):
+            if chunk.differs_from(rows):
                 self.contents.note(
                     f"has an index that contradicts its messages, which were used, at byte {chunk.begin}"
                 )

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import bz2
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -43,6 +43,16 @@ class Chunk:
     rows: list[Row] = field(default_factory=list)
     channels: set[int] = field(default_factory=set)
     is_consistent: bool = True
+
+    def is_plausible(self, channels: Container[int]) -> bool:
+        """True if the index has entries that do not contradict each other, the size or the known channels."""
+        offsets = {offset for _, _, offset in self.rows}
+        is_complete = self.is_consistent and all(channel in channels for channel in self.channels)
+        return is_complete and bool(offsets) and len(offsets) == len(self.rows) and max(offsets) < self.size
+
+    def differs_from(self, rows: list[Row]) -> bool:
+        """True if the index contradicts the messages of the chunk. A chunk without an index does not."""
+        return not self.is_consistent or (bool(self.channels) and sorted(rows) != sorted(self.rows))
 
 
 class Channel(NamedTuple):

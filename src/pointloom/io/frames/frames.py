@@ -79,10 +79,11 @@ def open_folder(
     every: int = 1,
     depth_scale: float | None = None,
 ) -> RGBDDataset:
-    """Open a folder with `open_frames`, poses optional. Incomplete frames are skipped and listed."""
+    """Open a folder with `open_frames`, poses optional. Incomplete frames are skipped and listed. Color gets the size
+    of depth."""
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     options = {"layout": layout, "every": every, "depth_scale": depth_scale}
-    return open_frames(folder, intrinsic=camera, skip_missing="images", **options)
+    return open_frames(folder, intrinsic=camera, skip_missing="images", resize_color=True, **options)
 
 
 def describe_folder(folder: FilePath, dataset: RGBDDataset, intrinsic: FilePath | None) -> dict[str, Any]:
