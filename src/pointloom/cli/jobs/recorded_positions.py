@@ -33,8 +33,8 @@ class GivenPositions(NamedTuple):
 def read_positions(
     given: FilePath | None, sigma: float, folder: FilePath, topic: str | None, system: CoordinateSystem | None = None
 ) -> GivenPositions:
-    """Read positions of a file; of a recording with one topic of NavSatFix; or of such a topic of the recording `folder`,
-    if no file has its name. `topic` is that of the clouds in `folder`, and defines the frame of the scanner.
+    """Read positions of a file; of a recording with one topic of NavSatFix; or of such a topic of the recording
+    `folder`, if no file has its name. `topic` is that of the clouds in `folder`, and defines the frame of the scanner.
     NavSatFix is converted to `system`, or to meters east, north and up of the first position. Heights stay.
     """
     if given is None:
