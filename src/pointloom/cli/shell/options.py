@@ -126,7 +126,10 @@ COLUMNS = option(
     "--columns=NAMES", ColumnNames(), f"Column names of {words(WITH_NAMED_COLUMNS)}, such as x,y,z,intensity,ring."
 )
 UP = option(
-    "--up", [*UPS], f"Up axis of the data. {listed(UPRIGHT, 'and')} files are y-up, and z rotates them.", default="y"
+    "--up",
+    [*UPS],
+    f"Up axis of the data. {listed(UPRIGHT, 'and')} files are y-up, and z rotates them. Default: that of the data, if "
+    "known, else y.",
 )
 ASCII = option("--ascii as_text", bool, f"Write {listed(WITH_TEXT_FORM)} as text. Default: binary.")
 
@@ -180,7 +183,7 @@ def refuse_same(**files: Path | None) -> None:
             refuse(f"{option} is the same file as {first}, {path}; pass another name")
 
 
-def check_up(up: str, *paths: Path | None) -> None:
+def check_up(up: str | None, *paths: Path | None) -> None:
     """Usage error for --up z without effect."""
     if up == "z" and not any(path is not None and path.suffix.lower() in UPRIGHT for path in paths):
         refuse(f"--up z requires a {listed(UPRIGHT)} file")
