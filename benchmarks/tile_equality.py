@@ -89,8 +89,8 @@ def dimmer(cloud: Any) -> Any:
     return changed(cloud, intensity=(np.asarray(cloud["intensity"]) // 2).astype(np.uint16))
 
 
-def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps, Callable[[Any, Any, Any], Any]]]:
-    """The steps by name, with the in-memory equivalents of (cloud, other epoch, corner of voxels)."""
+def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps, Callable[[Any, Any], Any]]]:
+    """The steps by name, with the in-memory equivalents of (cloud, other epoch)."""
     low, high = box.tolist()
     ground = {"step": "classify_ground", "cell_size": s, "max_window": 6 * s, "elevation_threshold": 0.5 * s,
               "scaling": 1.25 * s}  # fmt: skip
@@ -100,60 +100,60 @@ def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps,
     return {
         "voxel_down_sample": (
             [{"step": "voxel_down_sample", "voxel_size": 2 * s}],
-            lambda c, o, v: c.voxel_down_sample_and_trace(2 * s, min_bound=v).cloud,
+            lambda c, o: c.voxel_down_sample(2 * s),
         ),
         "remove_radius_outlier": (
             [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 2 * s}],
-            lambda c, o, v: c.remove_radius_outlier(nb_points=4, radius=2 * s)[0],
+            lambda c, o: c.remove_radius_outlier(nb_points=4, radius=2 * s)[0],
         ),
         "remove_statistical_outlier": (
             [{"step": "remove_statistical_outlier", "nb_neighbors": 12, "std_ratio": 1.5}],
-            lambda c, o, v: c.remove_statistical_outlier(nb_neighbors=12, std_ratio=1.5)[0],
+            lambda c, o: c.remove_statistical_outlier(nb_neighbors=12, std_ratio=1.5)[0],
         ),
         "estimate_normals": (
             [{"step": "estimate_normals", "max_nn": 15}],
-            lambda c, o, v: getattr(c.estimate_normals(max_nn=15), up)(),
+            lambda c, o: getattr(c.estimate_normals(max_nn=15), up)(),
         ),
         "smooth_mls": (
             [{"step": "smooth_mls", "radius": 4 * s, "max_nn": None}],
-            lambda c, o, v: c.smooth_mls(radius=4 * s, max_nn=None),
+            lambda c, o: c.smooth_mls(radius=4 * s, max_nn=None),
         ),
         "crop": (
             [{"step": "crop", "min_bound": low, "max_bound": high}],
-            lambda c, o, v: c.crop(loom.AxisAlignedBoundingBox(low, high)),
+            lambda c, o: c.crop(loom.AxisAlignedBoundingBox(low, high)),
         ),
         "function": (
             [{"step": "function", "call": import_module("tile_equality").dimmer, "reach": 0}],
-            lambda c, o, v: dimmer(c),
+            lambda c, o: dimmer(c),
         ),
-        "classify_ground": ([ground], lambda c, o, v: classified(c, s)),
+        "classify_ground": ([ground], lambda c, o: classified(c, s)),
         "height_above_ground": (
             [ground, above],
-            lambda c, o, v: changed(
+            lambda c, o: changed(
                 classified(c, s), height_above_ground=loom.height_above_ground(classified(c, s), reach=9 * s, cell=s)
             ),
         ),
         "features": (
             [{"step": "features", "radius": 4 * s, "max_nn": None, "names": ["linearity", "verticality", "density"]}],
-            lambda c, o, v: with_features(c, s),
+            lambda c, o: with_features(c, s),
         ),
         "cluster_dbscan": (
             [{"step": "cluster_dbscan", "eps": 1.5 * s, "min_points": 6}],
-            lambda c, o, v: changed(c, cluster=c.cluster_dbscan(1.5 * s, 6)),
+            lambda c, o: changed(c, cluster=c.cluster_dbscan(1.5 * s, 6)),
         ),
         "cluster_euclidean": (
             [{"step": "cluster_euclidean", "tolerance": s, "min_cluster_size": 3}],
-            lambda c, o, v: changed(c, cluster=c.cluster_euclidean(s, 3)),
+            lambda c, o: changed(c, cluster=c.cluster_euclidean(s, 3)),
         ),
-        "thin": ([{"step": "thin", "spacing": 3 * s}], lambda c, o, v: c.thin(3 * s)),
+        "thin": ([{"step": "thin", "spacing": 3 * s}], lambda c, o: c.thin(3 * s)),
         "distance": (
             [{"step": "distance", "other": str(other), "max_distance": 3 * s}],
-            lambda c, o, v: with_distance(c, o, s),
+            lambda c, o: with_distance(c, o, s),
         ),
-        "m3c2": ([{"step": "m3c2", **change}], lambda c, o, v: with_change(c, o, s)),
+        "m3c2": ([{"step": "m3c2", **change}], lambda c, o: with_change(c, o, s)),
         "rasterize": (
             [ground, {"step": "rasterize", "cell": 2 * s, "reach": 9 * s}],
-            lambda c, o, v: loom.rasterize(classified(c, s), 2 * s, reach=9 * s),
+            lambda c, o: loom.rasterize(classified(c, s), 2 * s, reach=9 * s),
         ),
     }
 
@@ -258,7 +258,7 @@ def check(name: str, data: Path, folder: Path, only: str | None) -> int:
                 plan = manifest.plan
             if expected is None:
                 cloud, other = (read_all(some, plan["origin"]) for some in (paths, second_paths))
-                expected = in_memory(cloud, other, plan["voxel_corner"])
+                expected = in_memory(cloud, other)
             rows, total = differing(loom.tiling.finish_tiles(job), job, expected)
             reports.append(f"{rows} of {total:,} in {status.done + status.empty} tiles")
             bad += rows

@@ -55,9 +55,10 @@ Not here as a whole:
 """
 COMMON_HEAD = """# Names of other libraries
 
-Names that users of PCL, trimesh, PyVista, PyTorch3D, SciPy and torch try, with the equivalents in pointloom. Accessing
-such a name, or passing such an argument, raises an error with its row of this table, for example `loom.load` or
-`mesh.faces`. The names of Open3D are on a [page of their own](open3d-names.md).
+Names that users of PCL, PDAL, CloudCompare, trimesh, PyVista, PyTorch3D, SciPy, evo and torch try, with the equivalents
+in pointloom. Accessing such a name, or passing such an argument, raises an error with its row of this table, as
+`loom.load` or `mesh.faces`. Names with the same words as a public name are found in all modules: `loom.M3C2` leads to
+`loom.m3c2`. The names of Open3D are on a [page of their own](open3d-names.md).
 `.venv/bin/python scripts/write_open3d_names.py` writes this page.
 
 | name | pointloom |

@@ -18,6 +18,7 @@ MAX_HINTS = 3  # names of a private module in an error
 SHORT_NAME = "loom"  # usual import name
 RESULTS = "# Results of functions, for annotations."  # above the last block of a stub
 OPEN3D = f"{__name__.partition('.')[0]}.open3d"  # package of Open3D's names
+TORCH = f"{__name__.partition('.')[0]}.torch"  # package of operators on tensors
 
 
 class _Package(ModuleType):
@@ -136,19 +137,23 @@ def private(package: str) -> Callable[[str], Any]:
 
 def _no_module(package: str, name: str, homes: dict[str, str]) -> str:
     """Error message for a private submodule with the public names it defines; "" for other names."""
-    from difflib import get_close_matches
     from importlib.machinery import PathFinder
 
     module = f"{package}.{name}"
     if PathFinder.find_spec(module, sys.modules[package].__path__) is None:
         return ""
+    from .core.name_words import near_names
     from .core.open3d_names import COMMON, MODULES, hint, row_of
 
     message = f"module {package!r} has no attribute {name!r}: it is a private module"
-    if row := hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}"))):
+    row = hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}")))
+    inside = [
+        other for other in (_constructed(package) if homes else ()) if f"{homes[other]}.".startswith(f"{module}.")
+    ]
+    nearest = near_names(name, (other for other in inside if other.islower()))
+    if row and (not nearest or any(other in row for other in nearest)):
         return message + row
-    inside = [other for other, home in homes.items() if home == module or home.startswith(f"{module}.")]
-    nearest = get_close_matches(f"{package.rpartition('.')[2]}_{name}", inside, MAX_HINTS, cutoff=0.0)
+    nearest = nearest or inside[:MAX_HINTS]
     return message + (f"; did you mean {' or '.join(map(repr, nearest))}?" if nearest else "")
 
 
@@ -157,6 +162,7 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     if name.startswith("_"):
         return message
     from .core.attribute_hints import nearest_name
+    from .core.name_words import row_of_words, same_names
     from .core.open3d_names import BRIDGE, COMMON, MODULES, hint, row_of
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):
@@ -164,17 +170,65 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
         if not own and (other := _in_open3d(name)):
             return f"{message}; it is {other}"
         return message + (own or hint(row_of(name)) or _also(package, name) or nearest_name(name, known))
-    row = hint(row_of(name, (*MODULES, f"{COMMON}.{SHORT_NAME}")))
-    other = _also(package, name)
+    rows = (*MODULES, f"{COMMON}.{SHORT_NAME}")
+    if package == TORCH:  # operators with gradients first
+        row = hint(row_of(name, (f"{COMMON}.torch",)))
+        if row or same_names(name, known):
+            return message + (row or nearest_name(name, known))
+        row = hint(row_of(name, rows))
+        return message + (f"{row} (without gradients)" if row else _also(package, name) or nearest_name(name, known))
+    other, row = _also(package, name), hint(row_of(name, rows))
     if row and f"{SHORT_NAME}.torch." in other:  # operators on tensors, for networks
         other = ""
-    return message + (other or row or nearest_name(name, known))
+    known = _constructed(package) if package in _homes else known
+    near = nearest_name(name, known) if same_names(name, known) else ""
+    near = other or row or near or _alike(package, name) or hint(row_of_words(name, rows[-1:]))
+    return message + (near or nearest_name(name, known))
 
 
 def _also(package: str, name: str) -> str:
     """`; it is loom.registration` if another module has the name, else ""."""
     other = _elsewhere(package, name)
     return f"; it is {other}" if other else ""
+
+
+def _alike(package: str, name: str) -> str:
+    """`; it is loom.m3c2` for a name of the same words in another module, or a method of a cloud or mesh, or ""."""
+    from .core.name_words import same_names
+
+    root = package.partition(".")[0]
+    for full_name, path in _packages(root):
+        if full_name not in (package, TORCH) and (same := same_names(name, _constructed(full_name))):
+            return f"; it is {path}.{same[0]}"
+    for shape, variable in (("PointCloud", "cloud"), ("TriangleMesh", "mesh")):
+        kind = getattr(sys.modules[root], shape)
+        if same := same_names(name, [other for other in dir(kind) if not other.startswith("_")]):
+            return f"; here: {variable}.{same[0]}"
+    return ""
+
+
+def function_named(name: str) -> str:
+    """`; it is loom.classify_ground` for a public function with the words of a name, for errors of classes, or ""."""
+    from .core.name_words import same_names
+
+    for full_name, path in _packages(OPEN3D.partition(".")[0]):
+        functions = [other for other in _constructed(full_name) if other.islower()]
+        if full_name != TORCH and (same := same_names(name, functions)):
+            return f"; it is {path}.{same[0]}"
+    return ""
+
+
+def _constructed(package: str) -> list[str]:
+    """Public names of functions and classes, without modules and results."""
+    names = _read(package).items()
+    return [name for name, home in names if name not in results_of(package) and home != f"{package}.{name}"]
+
+
+def _packages(root: str) -> list[tuple[str, str]]:
+    """The packages of public names, with the paths that users write."""
+    homes = _read(root).items()
+    inside = [(name, _package_of(module, home)) for module, home in homes if module.islower() for name in (module,)]
+    return [(root, SHORT_NAME), *((full, f"{SHORT_NAME}.{name}") for name, full in inside if full)]
 
 
 def _in_open3d(name: str) -> str:

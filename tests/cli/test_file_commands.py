@@ -107,6 +107,48 @@ def test_up_rotates_formats_with_an_up_axis(mesh, tmp_path):
     assert answer("compare-meshes", mesh, tmp_path / "turned.glb", "--up", "z", "--samples", "100")["hausdorff"] < 1e-6
 
 
+@pytest.fixture
+def survey(tmp_path):
+    """A cone with its tip in +z, as a cloud and a mesh of a map, and as meshes without a known axis."""
+    cone = loom.TriangleMesh.create_cone(1.0, 3.0, 40, 10)
+    cloud = cone.sample_points_uniformly(4000, use_triangle_normal=True)
+    for name in ("a.laz", "a.e57", "b.ply"):
+        cloud.crs = "EPSG:25832" if name == "b.ply" else None
+        loom.write_point_cloud(tmp_path / name, cloud)
+    loom.write_triangle_mesh(tmp_path / "lying.glb", cone)
+    cone.crs = "EPSG:25832"
+    loom.write_triangle_mesh(tmp_path / "mesh.ply", cone)
+    return tmp_path
+
+
+@pytest.mark.filterwarnings("ignore:.*cannot store the coordinate system")
+@pytest.mark.parametrize("target", ["out.glb", "out.gltf"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        *(f"mesh {name}" for name in ("a.laz", "a.e57", "b.ply")),
+        *(f"{command} mesh.ply" for command in ("convert", "clean-mesh", "smooth-mesh", "simplify --ratio 0.9")),
+        "transform mesh.ply --translate 1 2 3",
+        "convert lying.glb --up z",
+    ],
+)
+def test_gltf_files_of_commands_are_upright(survey, line, target):
+    command, *words = line.split()
+    source = next(word for word in words if "." in word and not word[0].isdigit())
+    options = [word for word in words if word != source]
+    report = answer(command, survey / source, survey / target, *options)
+    assert report["files"]
+    stored = loom.read_triangle_mesh(survey / target, up="y").vertices
+    assert np.ptp(stored, axis=0).round(1).tolist() == pytest.approx([2.0, 3.0, 2.0], abs=0.25)
+    assert stored[stored[:, 1].argmax(), 1] - np.median(stored[:, 1]) > 0
+    wide, narrow = (np.ptp(stored[np.argsort(stored[:, 1])[part]], axis=0) for part in (slice(40), slice(-40, None)))
+    assert wide[0] > narrow[0]  # the tip is at the top
+    run("convert", survey / target, survey / "again.ply")
+    extent = np.ptp(loom.read_triangle_mesh(survey / "again.ply").vertices, axis=0)
+    upright = 1 if source == "lying.glb" else 2  # a file that was repaired has y up
+    assert int(extent.argmax()) == upright
+
+
 def test_textures_are_converted_or_reported_as_left_out(tmp_path):
     plane = loom.TriangleMesh.create_plane(create_uv_map=True)
     plane.textures = [np.full((4, 6, 3), 9, np.uint8)]

@@ -138,13 +138,14 @@ def test_rows_refer_to_existing_names():
         for part in name[1:].split("."):
             known = {*dir(owner), *getattr(owner, "__annotations__", {})}
             assert part in known, f"loom{name}"
-            owner = getattr(owner, part, None)
+            owner = getattr(owner, part, None) if owner is not loom.torch else None  # torch may not be installed
     owners = {"cloud": loom.PointCloud, "mesh": loom.TriangleMesh, "volume": loom.TSDFVolume, "viewer": loom.Viewer}
     owners |= {"search": loom.NearestNeighborSearch, "trajectory": loom.Trajectory}
     for name, part in set(re.findall(rf"\b({'|'.join(owners)})\.(\w+)", text)):
         assert part in {*dir(owners[name]), *getattr(owners[name], "__annotations__", {})}, f"{name}.{part}"
 
 
+SUBPACKAGES = ("datasets", "meshing", "photogrammetry", "registration", "rgbd", "tiling")
 MESSAGES = [
     ("loom.KDTreeFlann(cloud)", r"no attribute 'KDTreeFlann'; here: loom\.NearestNeighborSearch\(cloud\): knn_search"),
     ("loom.read_image('a.png')", r"here: loom\.read_color\(path\) or loom\.read_depth\(path\)"),
@@ -191,6 +192,25 @@ MESSAGES = [
     ("loom.PointCloud(cloud.points, cloud.points)", r"write PointCloud\(points, normals=\.\.\.\)"),
     ("loom.render(cloud, zoom=0.5)", r"a view is the second argument of render: loom\.render\(cloud, \{\"zoom\": 0\.5"),
     ("loom.draw(cloud, foo=1)", "has no argument 'foo'; it takes geometries, width, height"),
+    ("loom.registration.gicp", "TransformationEstimationForGeneralizedICP"),
+    ("loom.registration.ransac", r"here: loom\.registration\.registration_ransac_based_on_correspondence"),
+    ("loom.registration.ate", r"here: loom\.registration\.evaluate_trajectory"),
+    ("loom.registration.Odometry", r"here: loom\.registration\.LidarOdometry"),
+    ("loom.registration.evaluate", "did you mean 'evaluate_trajectory' or 'evaluate_registration'"),
+    ("loom.photogrammetry.mvs", r"here: loom\.photogrammetry\.estimate_depth_maps"),
+    ("loom.M3C2", r"here: loom\.m3c2"),
+    ("loom.read_bag('a.bag')", r"here: loom\.open_recording"),
+    ("loom.read_poses('a.txt')", r"here: loom\.read_trajectory"),
+    ("loom.iter_las('a.las')", r"here: loom\.read_las_chunks"),
+    ("loom.torch.fps", r"here: loom\.torch\.farthest_points"),
+    ("loom.torch.chamfer", r"here: loom\.torch\.chamfer_distance"),
+    ("loom.torch.sample_points_from_meshes", r"mesh\.sample_points_uniformly.* \(without gradients\)"),
+    ("loom.cuda.is_available()", "here: the argument device="),
+    ("cloud.rasterize(1.0)", r"here: loom\.rasterize"),
+    ("cloud.classify_ground()", r"it is loom\.classify_ground"),
+    ("cloud.to_crs('EPSG:25832')", r"here: reproject\(crs\)"),
+    ("mesh.unwrap()", r"here: mesh\.compute_uvatlas"),
+    ("mesh.remove_duplicate_faces()", "did you mean 'remove_duplicated_triangles'"),
     ("loom.registration.registration_icp(cloud, cloud, 1, max_iteration=9)", "ICPConvergenceCriteria.max_iteration=30"),
 ]
 
@@ -205,6 +225,51 @@ def test_the_error_for_an_open3d_name_quotes_its_row(line, message):
     names |= {"loom": loom, "volume": loom.TSDFVolume(voxel_size=0.1), "hybrid": KDTreeSearchParamHybrid()}
     with pytest.raises((AttributeError, TypeError), match=message):
         exec(line, names)
+
+
+# Names of users without a counterpart, or with letters of another name only: nothing is proposed.
+WITHOUT_HINT = """loom.load_path loom.Voronoi loom.bunny loom.config loom.DataError loom.create_server loom.FilterError
+loom.registration.Constant loom.registration.symmetry loom.torch.emd loom.torch.iou loom.torch.mesh_laplacian_smoothing
+cloud.io cloud.Gt cloud.variance cloud.With mesh.time mesh.dup mesh.skeleton mesh.symmetry mesh.create_server"""
+
+
+@pytest.mark.parametrize("name", WITHOUT_HINT.split())
+def test_no_name_is_proposed_that_only_shares_letters(name):
+    known = {"loom": loom, "cloud": loom.PointCloud(), "mesh": loom.TriangleMesh()}
+    with pytest.raises(AttributeError, match=f"has no attribute '{name.rpartition('.')[2]}'$"):
+        eval(name, known)
+
+
+def camel_case(name):
+    first, *others = name.split("_")
+    return first + "".join(word.title() for word in others)
+
+
+def test_functions_of_all_modules_are_found_by_their_words():
+    """Also without `compute`, in camel case, from another module and from a class."""
+    packages = {"": loom, **{f".{name}": getattr(loom, name) for name in loom.__all__ if name in SUBPACKAGES}}
+    functions = [f"loom{path}.{name}" for path, package in packages.items() for name in package.__all__]
+    functions = [path for path in functions if path.islower() and "_" in path and path.count(".") < 3]
+    assert len(functions) > 100
+    for path in functions:
+        name = path.rpartition(".")[2]
+        for given in {camel_case(name), camel_case(name.removeprefix("compute_"))} - {*dir(loom)}:
+            for owner in (loom, loom.registration, loom.PointCloud, loom.TriangleMesh):
+                with pytest.raises(AttributeError) as error:
+                    getattr(owner, given)
+                assert re.search(rf"\b{name}\b|; here: ", str(error.value)), f"{path}: {error.value}"
+
+
+@pytest.mark.parametrize("kind", [loom.PointCloud, loom.TriangleMesh, loom.RaycastingScene, loom.GaussianSplats])
+def test_members_are_found_by_their_words(kind):
+    for name in dir(kind):
+        if "_" in name and name.islower() and not name.startswith("_"):
+            with pytest.raises(AttributeError, match=rf"'; .*\b{name}\b"):
+                getattr(kind, camel_case(name))
+            misspelled = name[:-3] + name[-2] + name[-3] + name[-1]
+            if misspelled != name:
+                with pytest.raises(AttributeError, match=rf"'; .*\b{name}\b"):
+                    getattr(kind, misspelled)
 
 
 def packages_of(package):

@@ -222,6 +222,55 @@ def test_gltf_files_define_the_up_axis(tmp_path, name, up, expected):
     assert loom.read_triangle_mesh(tmp_path / name, up=up).up == expected
 
 
+@pytest.mark.parametrize("name", ["a.glb", "a.gltf"])
+@pytest.mark.parametrize("up", ["x", "y", "z", (-1, 0, 0), (0, -1, 0), (0, 0, -1), (0.2, -0.6, 0.5)])
+def test_meshes_of_any_up_direction_are_upright_in_gltf_and_read_as_before(cone, tmp_path, name, up):
+    placed = cone.translate((10.0, 0.0, 0.0))
+    given = placed.vertices - placed.vertices.mean(axis=0)
+    placed.up = up
+    path, height = tmp_path / name, given @ np.asarray(placed.up)
+    loom.write_triangle_mesh(path, placed)
+    stored = loom.read_triangle_mesh(path, up="y")
+    np.testing.assert_allclose(stored.vertices[:, 1] - stored.vertices[:, 1].mean(), height, atol=1e-5)
+    assert stored.up == Y
+    same = loom.read_triangle_mesh(path)
+    np.testing.assert_allclose(same.vertices, placed.vertices, atol=1e-5)
+    np.testing.assert_allclose(same.up, placed.up, atol=1e-12)
+    if np.count_nonzero(placed.up) == 1:
+        np.testing.assert_array_equal(same.vertices, placed.vertices)
+    trimesh = pytest.importorskip("trimesh")
+    seen = trimesh.load(path, force="mesh", process=False).vertices
+    np.testing.assert_allclose(seen[:, 1] - seen[:, 1].mean(), height, atol=1e-5)
+
+
+def test_meshes_of_a_map_have_z_up_in_gltf_and_others_are_stored_as_given(tmp_path):
+    mesh = loom.TriangleMesh.create_cone(0.5, 4.0)
+    path = tmp_path / "a.glb"
+    loom.write_triangle_mesh(path, mesh)
+    np.testing.assert_array_equal(loom.read_triangle_mesh(path).vertices, mesh.vertices)
+    mesh.crs = "EPSG:25832"
+    with pytest.warns(UserWarning, match="coordinate system"):
+        loom.write_triangle_mesh(path, mesh)
+    np.testing.assert_array_equal(loom.read_triangle_mesh(path, up="y").vertices[:, 1], mesh.vertices[:, 2])
+    again = loom.read_triangle_mesh(path)
+    np.testing.assert_array_equal(again.vertices, mesh.vertices)
+    assert again.up == Z
+
+
+@pytest.mark.parametrize("extras", ['"up"', '{"pointloom_up": "z"}', '{"pointloom_up": [0, 0]}', '{"pointloom_up": 0}'])
+def test_damaged_records_of_the_up_axis_are_ignored(tmp_path, extras):
+    path = tmp_path / "a.gltf"
+    loom.write_triangle_mesh(path, loom.TriangleMesh.create_box())
+    text = (
+        path.read_text()
+        .replace('"asset": {', '"asset": {"extras": ' + extras + ", ")
+        .replace('"asset":{', '"asset":{"extras":' + extras + ",")
+    )
+    assert "extras" in text
+    path.write_text(text)
+    assert loom.read_triangle_mesh(path).up == Y
+
+
 def test_up_axis_follows_rotations_of_the_mesh(cone):
     assert cone.translate((1, 2, 3)).compute_vertex_normals().paint_uniform_color((1, 0, 0)).up == Y
     assert cone.rotate(QUARTER, (0, 0, 0)).up == Z and cone.scale(3.0, (0, 0, 0)).up == Y

@@ -61,11 +61,15 @@ def read_cloud(paths, origin):
     return loom.PointCloud(points, normals=normals, origin=origin, **attributes)
 
 
-def in_memory(cloud, steps, corner):
-    for step in steps:
+def in_memory(cloud, steps, low):
+    """The steps on a complete cloud. `low`: lowest coordinates of all files, for voxels after other steps."""
+    for number, step in enumerate(steps):
         params = {name: value for name, value in step.items() if name != "step"}
-        if step["step"] == "voxel_down_sample":
-            cloud = cloud.voxel_down_sample_and_trace(params["voxel_size"], min_bound=corner).cloud
+        if step["step"] == "voxel_down_sample" and not number:
+            cloud = cloud.voxel_down_sample(**params)
+        elif step["step"] == "voxel_down_sample":
+            corner = (np.array(low) - cloud.origin).astype(np.float32).astype(np.float64) - params["voxel_size"] / 2
+            cloud = cloud.trace_grid(params["voxel_size"], corner).cloud
         elif step["step"] == "remove_radius_outlier":
             cloud, _ = cloud.remove_radius_outlier(**params)
         elif step["step"] == "remove_statistical_outlier":

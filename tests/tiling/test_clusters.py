@@ -47,7 +47,7 @@ def check(paths, steps, folder, device="cpu", dtype=np.int32, **options):
     """Check that tiles give the labels of a single machine; return these labels."""
     result, plan = tiled(paths, steps, folder, device, **options)
     cloud = read_cloud(paths, np.array(plan["origin"]))
-    cloud = in_memory(cloud, steps[:-1], plan["voxel_corner"])
+    cloud = in_memory(cloud, steps[:-1], plan["voxel_low"])
     expected = labels_in_memory(cloud, steps[-1])
     np.testing.assert_array_equal(labeled(result), labeled(expected))
     assert np.asarray(result["cluster"]).dtype == dtype
@@ -228,7 +228,7 @@ def test_steps_after_clustering_keep_the_labels(files, tmp_path):
     steps = [EUCLIDEAN, DBSCAN, {"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.8}]
     result, plan = tiled(files, steps, tmp_path / "job", size=21.0)
     cloud = labels_in_memory(read_cloud(files, np.array(plan["origin"])), DBSCAN)
-    cloud = in_memory(cloud, steps[2:], plan["voxel_corner"])
+    cloud = in_memory(cloud, steps[2:], plan["voxel_low"])
     assert 1000 < len(cloud) < 3000
     np.testing.assert_array_equal(labeled(result), labeled(cloud))
 

@@ -115,7 +115,7 @@ def test_m3c2_at_thinned_core_points_after_another_step(files, second_epoch, tmp
         {"step": "m3c2", "other": [second_epoch], "direction": [0, 0, 1], "core_spacing": 2.5, **M3C2},
     ]
     result, plan = tiled(files, steps, tmp_path / "job", size=30.0)
-    cloud = in_memory(read_cloud(files, np.array(plan["origin"])), steps[:1], plan["voxel_corner"])
+    cloud = in_memory(read_cloud(files, np.array(plan["origin"])), steps[:1], plan["voxel_low"])
     expected, _ = changed(cloud, cloud.thin(2.5), epoch_of(second_epoch, plan), directions=[0, 0, 1], **M3C2)
     assert len(expected) < 600
     assert_same(result, expected, *ATTRIBUTES)

@@ -53,7 +53,7 @@ def test_only_tiles_that_polygons_touch_are_computed(files, tmp_path):
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished
     result = read_cloud([loom.tiling.finish_tiles(tmp_path / "job")], np.array(plan_of(tmp_path / "job")["origin"]))
     cloud, plan = read_cloud(files, result.origin), plan_of(tmp_path / "job")
-    filtered = in_memory(cloud, steps, plan["voxel_corner"])
+    filtered = in_memory(cloud, steps, plan["voxel_low"])
     cells = np.floor((filtered.points[:, :2] - plan["corner"]) / plan["size"]).clip(0, np.array(plan["shape"]) - 1)
     lows = np.array(plan["corner"]) + cells * plan["size"]
     meets = overlapping_boxes([[OUTER + CORNER[:2], HOLE + CORNER[:2]]], lows, lows + plan["size"])

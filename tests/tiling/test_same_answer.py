@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.io.points.las import read_las
 from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
 from pointloom.tiling import plan as plan_module
@@ -41,12 +42,53 @@ def files(tmp_path_factory):
 
 
 def in_one_piece(files, steps, plan):
-    return in_memory(read_cloud(files, np.array(plan["origin"])), steps, plan["voxel_corner"])
+    return in_memory(read_cloud(files, np.array(plan["origin"])), steps, plan["voxel_low"])
 
 
 @pytest.fixture(scope="module")
 def small_files(tmp_path_factory):
     return survey(tmp_path_factory.mktemp("survey"), count=2500)
+
+
+OFFSETS = [(0.0, 0.0, 0.0), (412000.0, 5651000.0, 100.0), (1e6, 1e6, 1e6), (-1e6, -5e5, -100.0), (-30.0, -25.0, -2.0)]
+
+
+@pytest.mark.slow_on_emulated_cuda
+@pytest.mark.parametrize("step", [None, 0.05])  # random positions, or many on borders of voxels
+@pytest.mark.parametrize("offset", OFFSETS)
+def test_voxels_of_tiles_are_those_of_the_public_call(tmp_path, device, offset, step):
+    points = np.random.default_rng(3).random((3000, 3)) * (60, 50, 2)
+    points = (points if step is None else np.round(points / step) * step) + offset
+    path = tmp_path / "survey.laz"
+    loom.write_point_cloud(path, loom.PointCloud(np.round(points, 3)))
+    cloud = loom.read_point_cloud(path)
+    for voxel in (1.0, 0.7):
+        expected = cloud.voxel_down_sample(voxel)
+        corner = cloud.get_min_bound() - voxel / 2
+        for size in (13.7, 200.0):
+            job = tmp_path / f"{voxel}-{size}"
+            steps = [{"step": "voxel_down_sample", "voxel_size": voxel}]
+            status = loom.tiling.plan_tiles(path, steps, job, size=size)
+            np.testing.assert_allclose(status.voxel_corners, [corner], atol=1e-5)
+            assert f"voxels from {status.voxel_corners[0][0]:.10g}, " in str(status)
+            loom.tiling.run_tiles(job, device=device)
+            result = loom.read_point_cloud(loom.tiling.finish_tiles(job), device=device)
+            assert len(result) == len(expected)
+            assert np.max(result.compute_point_cloud_distance(expected.to(device))) < 1e-5  # rounded in the file
+
+
+def test_the_corner_of_voxels_is_that_of_all_files(files, tmp_path):
+    """Also after a step that removes the lowest points. Another corner is a parameter of the step."""
+    lowest = np.min([read_las(path).points.min(axis=0) for path in files], axis=0)
+    steps = [{"step": "crop", "min_bound": MIDDLE, "max_bound": (np.array(MIDDLE) + 15).tolist()}]
+    steps += [{"step": "voxel_down_sample", "voxel_size": 1.0}]
+    status = loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=20)
+    np.testing.assert_allclose(status.voxel_corners, [lowest - 0.5], atol=1e-4)
+    assert loom.tiling.run_tiles(tmp_path / "job").voxel_corners == status.voxel_corners
+    steps[1]["corner"] = [0.5, 0.5, 0.0]
+    status = loom.tiling.plan_tiles(files, steps, tmp_path / "other", size=20)
+    np.testing.assert_allclose(status.voxel_corners, [[0.5, 0.5, 0.0]], atol=1e-9)
+    assert "; voxels from 0.5, 0.5, 0" in str(status)
 
 
 def check(files, steps, job, device="cpu", **options):

@@ -7,15 +7,14 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from .name_words import near_names, row_of_words, same_names
 from .open3d_names import BRIDGE, COMMON, SHAPES, hint, row_of
 
 
 def nearest_name(name: str, known: Iterable[str]) -> str:
-    """`; did you mean 'colors'?` if a known public name is similar, else ""."""
-    from difflib import get_close_matches  # imported only for errors
-
-    matches = get_close_matches(name, [other for other in known if not other.startswith("_")], n=1, cutoff=0.6)
-    return f"; did you mean {matches[0]!r}?" if matches else ""
+    """`; did you mean 'colors'?` if known public names have the same words or letters, else ""."""
+    nearest = near_names(name, known)
+    return f"; did you mean {' or '.join(map(repr, nearest))}?" if nearest else ""
 
 
 class HintedClass(type):
@@ -109,17 +108,28 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     own = [f"{BRIDGE}.{each}" for each in classes] if _in_bridge(kind) else []
     is_shape = any("get_center" in vars(base) for base in kind.__mro__)
     common = [f"{COMMON}.{each}" for each in (*classes, *(["Shape"] if is_shape else []))]
-    row = hint(row_of(name, (*own, *classes, SHAPES, *([] if own else common))))
+    rows = (*own, *classes, SHAPES, *([] if own else common))
+    row = hint(row_of(name, rows))
     fields = [field for base in kind.__mro__ for field in _annotated(base)]  # dir() lacks fields without a default
-    near = "" if row else nearest_name(name, sorted({*dir(kind), *fields} - internal_names(kind)))
+    known = [other for other in {*dir(kind), *fields} - internal_names(kind) if not other.startswith("_")]
+    if not row and not same_names(name, known):
+        row = hint(row_of_words(name, rows)) or _elsewhere(kind, name)
+    near = "" if row else nearest_name(name, sorted(known))
     if how_to_add:
         return message + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
-    return message + (row or near or _others(kind, name))
+    return message + (row or near)
 
 
 def _in_bridge(kind: type) -> bool:
     """True for the classes of `pointloom.open3d`."""
     return ".open3d." in kind.__module__
+
+
+def _elsewhere(kind: type, name: str) -> str:
+    """`; it is loom.classify_ground` for a function of a module, `; TriangleMesh has it` for other classes, or ""."""
+    from ..public_names import function_named  # lists of names, read only for errors
+
+    return ("" if _in_bridge(kind) else function_named(name)) or _others(kind, name)
 
 
 def _others(kind: type, name: str) -> str:

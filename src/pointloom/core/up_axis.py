@@ -43,6 +43,16 @@ def transform_up_vector(up: Direction | None, A: NDArray[Any]) -> Direction | No
     return x, y, z
 
 
+def rotation_between(start: Direction, end: Direction) -> NDArray[np.float64]:
+    """The smallest rotation [3, 3] of one unit vector to another, exact for axes. Opposite ones about x, or z."""
+    a, b = np.array(start), np.array(end)
+    sine, cosine = np.cross(a, b), float((a * b).sum())
+    if not sine.any() and cosine < 0:
+        return np.diag([1.0, -1.0, -1.0]) if not a[0] else np.diag([-1.0, -1.0, 1.0])
+    cross = np.array([[0, -sine[2], sine[1]], [sine[2], 0, -sine[0]], [-sine[1], sine[0], 0]])
+    return np.eye(3) + cross + matmul(cross, cross) / (1 + cosine)
+
+
 def up_of_camera(T_world_camera: NDArray[np.float64]) -> Direction:
     """Axis nearest to the up direction of a camera, -y, which is level in most frames."""
     up = -T_world_camera[:3, 1]

@@ -13,6 +13,7 @@ from ..core.coordinate_systems import CoordinateSystem, is_in_degrees
 from ..core.coordinates import lengths_of_axes
 from ..core.escaped_text import escaped
 from ..core.units import LengthUnit
+from ..core.up_axis import Direction
 
 
 @dataclass
@@ -100,6 +101,7 @@ class MeshTable:
         textures: Images, uint8 (height, width, 3 or 4), top row first.
         unit: Unit of the positions, or None.
         crs: Coordinate system, or None.
+        up: Up direction, or None if unknown.
     """
 
     vertices: NDArray[Any]
@@ -113,6 +115,7 @@ class MeshTable:
     textures: tuple[NDArray[np.uint8], ...] = ()
     unit: LengthUnit | None = field(default=None, kw_only=True)
     crs: CoordinateSystem | None = field(default=None, kw_only=True)
+    up: Direction | None = field(default=None, kw_only=True)
 
     def checked(self) -> MeshTable:
         """The mesh with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
@@ -138,6 +141,7 @@ class MeshTable:
             triangle_attributes=_checked_attributes(self.triangle_attributes, len(triangles)),
             unit=self.unit,
             crs=self.crs,
+            up=self.up,
         )
 
     def without_texture(self) -> MeshTable:

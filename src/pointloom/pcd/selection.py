@@ -83,7 +83,7 @@ def _no_sum(other: object) -> TypeError:
 class Selection(PointArrays):
     """Methods of PointCloud that select, sample and concatenate points."""
 
-    _internal = ("average_voxels", "select_mask", "select_rows")
+    _internal = ("average_voxels", "select_mask", "select_rows", "trace_grid")
 
     def __add__(self, other: object) -> Self:
         if not isinstance(other, PointArrays):
@@ -432,7 +432,13 @@ class Selection(PointArrays):
             high = check_finite("max_bound", check_shape("max_bound", max_bound, (3,)))
             if low is not None and (high - low).max() > size * OPEN3D_CELLS:
                 raise ValueError(f"voxel_size: {size} gives more than 2^31 voxels between the bounds. Use larger ones")
-        groups, corner = self._voxels(size, low)
+        return self.trace_grid(size, None if low is None else low - self.arrays.origin, approximate_class)
+
+    def trace_grid(
+        self, size: float, corner: NDArray[np.float64] | None, approximate_class: bool = False
+    ) -> VoxelTrace[Self]:
+        """`voxel_down_sample_and_trace` with a corner relative to the origin, without rounding it."""
+        groups, corner = self._voxels(size, corner)
         cloud = self._means(groups, self.arrays)
         if approximate_class:
             self._set_classes(cloud, groups)
@@ -469,7 +475,7 @@ class Selection(PointArrays):
         """
         size = check_positive("spacing", spacing)
         fixed = check_finite("corner", check_shape("corner", corner, (3,)))
-        groups, low = self._voxels(size, fixed, ("spacing", "corner"))
+        groups, low = self._voxels(size, fixed - self.arrays.origin, ("spacing", "corner"))
         rows = nearest_to_middles(self.arrays["points"], groups, low, size)
         return self.select_rows(sort_rows(rows, len(self), are_distinct=True))
 
@@ -585,20 +591,19 @@ class Selection(PointArrays):
     def _voxels(
         self,
         size: float,
-        min_bound: NDArray[np.float64] | None,
+        corner: NDArray[np.float64] | None,
         names: tuple[str, str] = ("voxel_size", "min_bound"),
         box: Box | None = None,
     ) -> tuple[Any, NDArray[np.float64]]:
-        """Group the finite points by voxel. Also returns the grid's corner relative to the origin."""
+        """Group the finite points by voxel of a grid with a corner relative to the origin, which is also returned."""
         points = self.arrays["points"]
         low, high, finite = bound_points(points) if box is None else box
         low, high = (low.astype(np.float64), high.astype(np.float64)) if finite else (np.zeros(3), np.zeros(3))
         with np.errstate(over="ignore"):
-            if min_bound is None:
+            if corner is None:
                 corner = low - size / 2
                 first = np.zeros(3)
             else:
-                corner = min_bound - self.arrays.origin
                 first = np.floor((low - corner) / size)
                 if not (np.abs(first) < CELL_LIMIT).all():
                     raise ValueError(f"{names[0]}: {size} gives more than 2^53 voxels between {names[1]} and the cloud")

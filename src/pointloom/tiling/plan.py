@@ -42,7 +42,7 @@ _FLOAT32_ROUNDING = 2.0**-21  # relative float32 rounding of two points and thei
 class Plan:
     """Plan of a tiled job. `data` is the manifest's JSON form. `sources` describes the files; `epochs` those that steps
     compare with, as "paths" and "sources"; `files` all of them by number. `origin` (3,) is that of all tiles' clouds,
-    `voxel_corner` (3,) that of the voxel grid, `corner` (2,) that of the tile grid, of `shape` tiles of edge `size`.
+    `corner` (2,) that of the tile grid, of `shape` tiles of edge `size`.
     `slack` exceeds the rounding of coordinates. `max_points` is the maximum number of points of a tile with halo.
     `device` is not planned."""
 
@@ -55,7 +55,6 @@ class Plan:
         for step, radius in zip(self.steps, data["guesses"], strict=True):
             step.radius = radius
         self.origin = np.array(data["origin"])
-        self.voxel_corner = data["voxel_corner"]
         self.corner, self.size, self.shape = np.array(data["corner"]), data["size"], tuple(data["shape"])
         self.slack, self.max_points = data["slack"], data["most"]
 
@@ -122,10 +121,11 @@ def plan_tiles(
     """Plan a tiled job in a folder: files, steps and tiles. Of LAS only headers are read.
 
     A folder with the same plan keeps its finished work. One with another plan is rejected. The result is bitwise that
-    of the operations on the complete cloud, for any tile size, except: the voxel grid starts at whole units or the
-    step's `corner`. Statistics of outliers are exact sums, so points within 1e-12 of the limit may differ. Ties for the
-    k-th neighbor after a step that removed outer points may differ. Memory: 300 B per point of a tile and its halo. 4
-    million rows while sorting into tiles.
+    of the operations on the complete cloud, for any tile size, with these exceptions. The voxel grid starts half a
+    voxel below the lowest coordinates of all files, also after steps that remove points, or at the step's `corner`.
+    The status has this corner. Statistics of outliers are exact sums, so points within 1e-12 of the limit may differ.
+    Ties for the k-th neighbor after a step that removed outer points may differ. Memory: 300 B per point of a tile and
+    its halo. 4 million rows while sorting into tiles.
 
     Args:
         sources: Paths of .las and .laz files, folders of them, or a .vpc. COPC files are read by windows. Other LAS
@@ -292,7 +292,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         "steps": [{"step": step.name} | step.params for step in steps],
         "guesses": guesses,
         "origin": origin.tolist(),
-        "voxel_corner": np.floor(low).tolist(),
+        "voxel_low": _lowest(filled).tolist(),
         "low": low.tolist(),
         "high": high.tolist(),
         "levels": max(levels_for(total), MIN_LEVELS),
@@ -304,6 +304,15 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         "only": only,
         "output": output,
     }
+
+
+def _lowest(sources: list[dict[str, Any]]) -> NDArray[np.float64]:
+    """Lowest coordinates of the files (3,) as their readers compute them: headers may have fewer or more digits."""
+    ends = []
+    for source in sources:
+        low, scales, offsets = (np.array(source[name], np.float64) for name in ("low", "scales", "offsets"))
+        ends.append(np.rint((low - offsets) / scales) * scales + offsets)
+    return np.min(ends, axis=0)
 
 
 def _area_of(only: Any, crs: str | None, sources: list[dict[str, Any]]) -> list[Any] | None:

@@ -36,7 +36,6 @@ class TilePlan(Protocol):
     epochs: list[dict[str, Any]]
     steps: list[Any]
     origin: NDArray[np.float64]
-    voxel_corner: list[float]
     corner: NDArray[np.float64]
     size: float
     shape: tuple[int, ...]
@@ -75,7 +74,7 @@ _PLAN_CHECKS: Checks = {
     "epochs": is_list,
     "steps": _is_steps,
     "guesses": list_of(is_number),
-    **dict.fromkeys(("origin", "voxel_corner", "low", "high"), numbers(3)),
+    **dict.fromkeys(("origin", "voxel_low", "low", "high"), numbers(3)),
     "corner": numbers(2),
     "shape": _is_shape,
     "size": is_positive,

@@ -6,6 +6,8 @@ import shlex
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from ..core.errors import FileError, FilePath
 from ..core.escaped_text import escaped
 from ..core.paths import path_of
@@ -13,7 +15,7 @@ from ..core.reports import Assessed, quality
 from ..core.wording import plain
 from .manifest import NAME, Manifest, damage_as_file_errors, files_of
 from .sources import check_unchanged, original_path
-from .steps.parse import KNOWN
+from .steps.parse import KNOWN, VoxelDownSample, relative_corner
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,7 @@ class TileStatus(Assessed):
         bucket_bytes: Temporary disk space [B].
         troubles: Failed and quarantined tiles with their error and command to repeat, and files that cannot be sorted.
         which_pass, passes, through: Current pass, from 1, number of passes, and tiles through it.
+        voxel_corners: Corner of the grid of each step `voxel_down_sample` [unit of the files].
     """
 
     folder: str
@@ -47,6 +50,7 @@ class TileStatus(Assessed):
     which_pass: int = 1
     passes: int = 1
     through: int = 0
+    voxel_corners: tuple[tuple[float, ...], ...] = ()
 
     @property
     def is_finished(self) -> bool:
@@ -78,6 +82,7 @@ class TileStatus(Assessed):
             )
             if count
         ]
+        parts += [f"voxels from {', '.join(f'{value:.10g}' for value in corner)}" for corner in self.voxel_corners]
         lines = (f"\n  tile {escaped(tile)}: {escaped(error)}" for tile, error in self.troubles.items())
         return "; ".join(parts) + "".join(lines)
 
@@ -132,7 +137,13 @@ def status_of(manifest: Manifest) -> TileStatus:
         bucket_bytes=disk["n"] or 0,
         troubles=errors,
         **_pass_of(manifest),
+        voxel_corners=_corners_of(manifest.plan),
     )
+
+
+def _corners_of(plan: dict[str, Any]) -> tuple[tuple[float, ...], ...]:
+    steps = [step for step in plan["steps"] if step["step"] == VoxelDownSample.name]
+    return tuple(tuple((relative_corner(step, plan) + np.array(plan["origin"])).tolist()) for step in steps)
 
 
 def _pass_of(manifest: Manifest) -> dict[str, int]:

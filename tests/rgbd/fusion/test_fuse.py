@@ -9,9 +9,11 @@ import pytest
 import pointloom as loom
 from benchmarks.room_loops import room_loop_sequence
 from pointloom.core.errors import FileError
+from pointloom.core.up_axis import rotation_between
 from pointloom.datasets.scenes.room import room_sequence, surface_errors
 from pointloom.io.frames.frames import READ_AHEAD
 from pointloom.meshing.volume.surface_weights import FRAME_THRESHOLDS
+from pointloom.registration.trajectories.up_direction import up_of_poses
 from pointloom.rgbd.fusion.pose_check import MAX_DISPLACED, MAX_FRAMES, PoseCheck
 
 from ...products import few_quick
@@ -267,6 +269,19 @@ def test_the_wall_keeps_its_position_and_color(device):
     mesh = loom.rgbd.fuse(Wall(), voxel_size=0.02, device=device).mesh
     np.testing.assert_allclose(mesh.vertices[:, 2], 1.0, atol=1e-4)
     np.testing.assert_allclose(mesh.vertex_colors, np.tile([1, 128 / 255, 0], (len(mesh.vertices), 1)), atol=0.005)
+
+
+@pytest.mark.parametrize("tilt", [0.0, 30.0, 60.0])
+@pytest.mark.parametrize("up", [(0, 0, 1), (0, 1, 0), (0, -1, 0), (-1, 0, 0), (0.6, 0.0, -0.8)])
+def test_the_up_axis_is_that_of_level_cameras_that_look_down(up, tilt):
+    angles, down = np.radians(np.arange(0, 200, 20)), np.radians(tilt)
+    right = np.stack([-np.sin(angles), np.cos(angles), 0 * angles], axis=1)
+    ahead = np.stack([np.cos(angles) * np.cos(down), np.sin(angles) * np.cos(down), 0 * angles - np.sin(down)], axis=1)
+    poses = np.tile(np.eye(4), (len(angles), 1, 1))
+    poses[:, :3, :3] = np.stack([-right, np.cross(ahead, -right), ahead], axis=2)
+    assert np.allclose(np.linalg.det(poses[:, :3, :3]), 1)
+    poses[:, :3, :3] = rotation_between((0.0, 0.0, 1.0), up) @ poses[:, :3, :3]
+    np.testing.assert_allclose(up_of_poses(poses), up, atol=1e-9)
 
 
 def test_frames_without_color_give_a_mesh_without():

@@ -45,19 +45,20 @@ def convert_file(
     *,
     as_text: bool = False,
     overwrite: bool = False,
-    up: str = "y",
+    up: str | None = None,
     columns: Sequence[str] | None = None,
 ) -> ConvertReport:
     """Write a cloud or mesh in another format without rounding. A mesh becomes a cloud if the output has no triangles.
 
     In .las and .laz, coordinates are rounded to thousandths, unless the source is LAS: then its scale and coordinate
-    system are kept. Warns if 16-bit colors are rounded, attributes are renamed, or records are omitted.
+    system are kept. From a y-up file to another, `up` "z" rotates a mesh that was stored with z up. Warns
+    if 16-bit colors are rounded, attributes are renamed, or records are omitted.
     """
     job = Job("convert", source, as_text=as_text, overwrite=overwrite, up=up, columns=columns)
     job.check(output, dict.fromkeys((*WRITTEN, *MESH_FORMATS)), what="clouds and meshes")
-    with job.stage("read"):
-        table = job.read_table()
     suffix = Path(output).suffix.lower()
+    with job.stage("read"):  # between two y-up files, `up` is the axis of the stored data
+        table = tables.read_table(source, columns, up="y") if job.is_within_upright(output) else job.read_table()
     if isinstance(table, MeshTable) and suffix in MESH_FORMATS:
         with job.stage("write"):
             job.write_table(table, output)

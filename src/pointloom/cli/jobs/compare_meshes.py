@@ -94,7 +94,7 @@ def compare_mesh_files(
     return ComparisonReport(job.done(*result.warnings), os.fspath(second), result)
 
 
-def _read(path: FilePath, device: DeviceLike, up: str) -> TriangleMesh:
+def _read(path: FilePath, device: DeviceLike, up: str | None) -> TriangleMesh:
     mesh = read_triangle_mesh(path, device=device, up=up)
     if (wrong := find_wrong_corner(mesh)) is not None:
         raise FileError(path, wrong, remedy="Remove such triangles with pointloom clean-mesh first")

@@ -20,9 +20,9 @@ from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, values_of
 from ...core.timing import Clock
 from ...core.units import LengthUnit, UnitWarning, symbol_of
+from ...core.up_axis import UP
 from ...core.wording import plain
 from ...io.meshes import tables
-from ...io.meshes.by_extension import rotated_to_z_up
 from ...io.meshes.mesh_formats import UPRIGHT, WITH_TEXT_FORM
 from ...io.points.formats import WRITTEN
 from ...io.table import MeshTable, PointTable
@@ -30,6 +30,8 @@ from ...io.table import MeshTable, PointTable
 if TYPE_CHECKING:  # kernels are loaded on use: converting a file does not need them
     from ...meshing.mesh.mesh import TriangleMesh
     from ...pcd.cloud import PointCloud
+
+Z_UP = (".las", ".laz", ".e57")  # formats of surveys, with heights as z
 
 
 class Settings(TypedDict, total=False):
@@ -39,7 +41,7 @@ class Settings(TypedDict, total=False):
         device: Device; "auto" is the first GPU, else the CPU.
         as_text: Text instead of binary, for formats of either encoding.
         progress: Called at the start of each stage.
-        up: Up axis of the data, "y" or "z". glTF files use y, so "z" rotates those.
+        up: Up axis of the data, "y" or "z". glTF files use y, so "z" rotates those. None: that of the data if known.
         columns: Column names of the source, a table such as .csv or .bin. None uses those of the file.
     """
 
@@ -47,7 +49,7 @@ class Settings(TypedDict, total=False):
     as_text: bool
     overwrite: bool
     progress: ReportProgress | None
-    up: str
+    up: str | None
     columns: Sequence[str] | None
 
 
@@ -156,7 +158,7 @@ class Job:
         as_text: bool = False,
         overwrite: bool = False,
         progress: ReportProgress | None = None,
-        up: str = "y",
+        up: str | None = None,
         columns: Sequence[str] | None = None,
     ):
         self._command, self._device, self.up, self._columns = command, device, up, columns
@@ -204,18 +206,22 @@ class Job:
                 warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
         self.failed_checks += in_words_of_command(texts, options)
 
-    def up_of(self, path: FilePath) -> str:
-        """The up axis for a format that defines one. Else "y" (no rotation)."""
-        return self.up if Path(path).suffix.lower() in UPRIGHT else "y"
+    def up_of(self, path: FilePath) -> str | None:
+        """The given up axis for a format that defines one, else None."""
+        return self.up if Path(path).suffix.lower() in UPRIGHT else None
+
+    def is_within_upright(self, output: FilePath) -> bool:
+        """True if an up axis is given for a source and an output of formats that define it."""
+        return self.up_of(self.source) is not None and self.up_of(output) is not None
 
     def read_table(self) -> PointTable | MeshTable:
-        table = tables.read_table(self.source, self._columns)
-        return rotated_to_z_up(table) if isinstance(table, MeshTable) and self.up_of(self.source) == "z" else table
+        return tables.read_table(self.source, self._columns, up=self.up_of(self.source))
 
     def write_table(self, table: MeshTable, output: FilePath) -> None:
         """Write a mesh without the data that the format cannot store."""
-        oriented = rotated_to_z_up(table, back=True) if self.up_of(output) == "z" else table
-        self.wrote(output, tables.write_mesh_table(output, oriented, **self.form))
+        if table.up is None and Path(self.source).suffix.lower() in Z_UP:
+            table = replace(table, up=UP)
+        self.wrote(output, tables.write_mesh_table(output, table, up=self.up_of(output), **self.form))
 
     def read_points(self) -> PointTable:
         """Points as stored in the source. Vertices of a mesh."""

@@ -26,7 +26,7 @@ def mesh_file(
     as_text: bool = False,
     overwrite: bool = False,
     progress: ReportProgress | None = None,
-    up: str = "y",
+    up: str | None = None,
     columns: Sequence[str] | None = None,
     **options: Any,
 ) -> ResultReport:

@@ -24,6 +24,7 @@ from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
 from ...meshing.color_map.texturing import texture_mesh
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
+from ...registration.trajectories.up_direction import up_of_poses
 from ...visualization.render.picture_files import check_picture
 from ...visualization.render.scene_view import draw_scene
 from .announced_stages import AnnouncedStages
@@ -77,6 +78,7 @@ def texture_folder(
             result = texture_mesh(shape, dataset, **how, progress=stages)
     except NothingSeenError:
         return TextureReport(task, None, clock.seconds, [])
+    result.mesh.up = shape.up or up_of_poses(result.colors.trajectory.poses)
     files = _write(result, output, picture, up=job.up_of(output), overwrite=overwrite)
     clock.stop("write")
     remove_kept_arrays(work)
@@ -149,7 +151,9 @@ def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
     return dataset
 
 
-def _write(result: TexturedMesh, output: FilePath, picture: FilePath | None, *, up: str, overwrite: bool) -> list[str]:
+def _write(
+    result: TexturedMesh, output: FilePath, picture: FilePath | None, *, up: str | None, overwrite: bool
+) -> list[str]:
     write_triangle_mesh(output, result.mesh, up=up, overwrite=overwrite)
     if picture is None:
         return [os.fspath(output)]

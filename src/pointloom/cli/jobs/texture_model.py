@@ -17,6 +17,7 @@ from ...meshing.color_map.image_texturing import texture_from_images
 from ...meshing.color_map.options import ImageTextureOption
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
+from ...registration.trajectories.up_direction import up_of_poses
 from .job import Job, Settings
 from .texture import WITH_ATLAS, TextureReport, work_folder_of
 
@@ -87,6 +88,7 @@ def texture_model(
     clock.stop("texture")
     files = []
     if result is not None:
+        result.mesh.up = shape.up or up_of_poses(model.T_world_camera)
         write_triangle_mesh(output, result.mesh, up=job.up_of(output), overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")

@@ -150,7 +150,10 @@ VERBOSITY = in_order(
     ),
 )  # fmt: skip
 UP = option(
-    "--up", [*UPS], f"Up axis of the data. {listed(UPRIGHT, 'and')} files are y-up, and z rotates them.", default="y"
+    "--up",
+    [*UPS],
+    f"Up axis of the data. {listed(UPRIGHT, 'and')} files are y-up, and z rotates them. Default: that of the data, if "
+    "known, else y.",
 )
 ASCII = option("--ascii as_text", bool, f"Write {listed(WITH_TEXT_FORM)} as text. Default: binary.")
 
@@ -204,7 +207,7 @@ def refuse_same(**files: Path | None) -> None:
             refuse(f"{option} is the same file as {first}, {path}; pass another name")
 
 
-def check_up(up: str, *paths: Path | None) -> None:
+def check_up(up: str | None, *paths: Path | None) -> None:
     """Usage error for --up z without effect."""
     if up == "z" and not any(path is not None and path.suffix.lower() in UPRIGHT for path in paths):
         refuse(f"--up z requires a {listed(UPRIGHT)} file")

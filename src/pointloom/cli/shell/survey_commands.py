@@ -142,7 +142,7 @@ def volume(before: Path, after: Path, as_json: bool, force: bool, **options: Any
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="IN...")
 @option("-o --output=OUT", FILE, "The merged cloud.", required=True)
 @in_order(DEVICE, COLUMNS, UP, ASCII, JSON, FORCE)
-def merge(files: tuple[Path, ...], output: Path, as_json: bool, force: bool, up: str, **options: Any) -> int:
+def merge(files: tuple[Path, ...], output: Path, as_json: bool, force: bool, up: str | None, **options: Any) -> int:
     """Merge the clouds IN... into OUT, in the order given, with the attributes that all of them have.
 
     Different coordinate systems are an error. The scale and the coordinate system of a LAS file are those of the first.

@@ -65,6 +65,8 @@ COUNT_TYPE = click.IntRange(min=1)
 def tile() -> None:
     """Process LAS, LAZ and COPC files in tiles. The result equals that of processing all points in memory.
 
+    The grid of voxels starts half a voxel below the lowest coordinates of all files.
+
     Every command accepts --json. docs/tiles.md lists the steps and their guarantees.
 
     \b

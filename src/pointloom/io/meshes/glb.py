@@ -177,6 +177,7 @@ def read_glb(path: FilePath, *, outside_files: bool = False) -> MeshTable:
     for number in tree.with_mesh:
         parts.add_mesh(number, placing_of(parts.arrays, tree, number))
     mesh = parts.mesh(tree.with_mesh)
+    mesh.up = file.up_before
     parts.left.warn(stacklevel=4)
     return mesh
 

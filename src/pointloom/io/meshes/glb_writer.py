@@ -22,12 +22,14 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
+from ...core.up_axis import AXES
 from ..color_space import srgb_to_linear
 from ..images.image_files import encode_png
 from ..images.texture_files import alpha_mode, derived_name, image_names, write_with
 from ..table import MeshTable
 from .glb_container import BINARY_CHUNK, GLB_MAGIC, JSON_CHUNK
 from .gltf_arrays import COMPONENT_TYPES
+from .gltf_file import UP_BEFORE
 from .gltf_primitives import ALPHA
 
 _VERTEX_TARGET, _INDEX_TARGET = 34962, 34963
@@ -175,6 +177,8 @@ def _assemble(
         "nodes": [node],
         "meshes": [{"primitives": primitives}],
     }
+    if mesh.up not in (None, AXES["y"]):
+        content["asset"]["extras"] = {UP_BEFORE: mesh.up}
     images = list({id(image): image for image in mesh.textures}.values())
     if images:
         modes = {id(image): alpha_mode(image) for image in images}

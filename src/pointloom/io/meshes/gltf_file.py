@@ -9,6 +9,7 @@ import base64
 import binascii
 import json
 import re
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, unquote_to_bytes
@@ -17,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError, FilePath
+from ...core.up_axis import Direction, check_up
 from ..images.texture_files import find_beside, why_missing
 from ..source import open_source
 from .glb_container import GLB_MAGIC, split_chunks
@@ -24,6 +26,8 @@ from .glb_container import GLB_MAGIC, split_chunks
 # Limits on elements, so that few bytes cannot declare endless ones: this many in any case, and this many
 # per byte. A stored triangle takes at least a byte, a compressed one seldom less than a bit.
 FREE_ELEMENTS, ELEMENTS_A_BYTE = 2**23, 16
+
+UP_BEFORE = "pointloom_up"  # in the extras of the asset
 
 _SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:")
 _BAD_ESCAPE = re.compile(r"%(?![0-9A-Fa-f]{2})")
@@ -60,6 +64,15 @@ class GltfFile:
         if count > limit:
             reason = f"{what} are {count:,}, more than {limit:,}, for a file of {self.size:,} bytes"
             raise self.error(reason, remedy="Join or drop some in the program that wrote it")
+
+    @property
+    def up_before(self) -> Direction | None:
+        """Up direction of the mesh before `write_mesh` rotated it to y, if this library did."""
+        extras = self.content["asset"].get("extras")
+        up = extras.get(UP_BEFORE) if isinstance(extras, dict) else None
+        with suppress(TypeError, ValueError):
+            return None if up is None or isinstance(up, str) else check_up(up)
+        return None
 
     def objects(self, kind: str) -> list[dict[str, Any]]:
         """A list of JSON objects, such as "meshes". Empty if missing."""

@@ -44,11 +44,13 @@ def is_mesh_file(path: FilePath) -> bool:
     return any(element.name in ("face", STRIPS) and element.count > 0 for element in header.elements)
 
 
-def read_table(path: FilePath, columns: Sequence[str] | None = None) -> PointTable | MeshTable:
-    """Read a file as a mesh if it has faces, else as a cloud; `columns` as in `read_point_cloud`."""
+def read_table(
+    path: FilePath, columns: Sequence[str] | None = None, *, up: str | None = None
+) -> PointTable | MeshTable:
+    """Read a file as a mesh if it has faces, else as a cloud. `columns` as in `read_point_cloud`, `up` for meshes."""
     suffix = Path(path).suffix.lower()
     if columns is None and suffix in MESH_FORMATS and is_mesh_file(path):
-        return read_mesh(path)
+        return read_mesh(path, up=up)
     if suffix not in CLOUD_FORMATS:
         remedy = (
             recording_remedy(path, "scans()")
@@ -91,12 +93,14 @@ def write_cloud_table(
     return left_out + lost
 
 
-def write_mesh_table(path: FilePath, mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True) -> list[str]:
+def write_mesh_table(
+    path: FilePath, mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True, up: str | None = None
+) -> list[str]:
     """Write a mesh without what the format cannot store. Returns the dropped names."""
     storable, left_out = MESH_FORMATS[Path(path).suffix.lower()].codec.storable, []
     if storable is not None:
         mesh, left_out = storable(mesh)
-    write_mesh(path, mesh, ascii=as_text, overwrite=overwrite)
+    write_mesh(path, mesh, ascii=as_text, overwrite=overwrite, up=up)
     return left_out
 
 

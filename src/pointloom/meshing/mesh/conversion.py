@@ -120,6 +120,7 @@ def mesh_table(mesh: MeshArrays) -> MeshTable:
         triangle_attributes=dict(mesh.triangle_attributes),
         unit=mesh.unit,
         crs=mesh.crs,
+        up=mesh.arrays.up,
     )
 
 

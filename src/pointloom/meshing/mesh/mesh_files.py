@@ -13,7 +13,7 @@ from ...core.errors import CLOUD_REMEDY, FileError
 from ...core.other_geometry import conversion_of, is_other
 from ...core.paths import path_of, recording_remedy
 from ...io.meshes.by_extension import read_mesh, write_mesh
-from ...io.meshes.mesh_formats import MESH_FORMATS, UPRIGHT
+from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...io.points.formats import CLOUD_FORMATS
 from ...io.source import content_errors
 from ...io.table import MeshTable
@@ -26,7 +26,7 @@ def read_triangle_mesh(
     path: str | os.PathLike[str],
     *,
     device: DeviceLike = None,
-    up: str = "y",
+    up: str | None = None,
     outside_files: bool = False,
     arrays: str | None = None,
 ) -> TriangleMesh:
@@ -36,7 +36,8 @@ def read_triangle_mesh(
         path: The file, text or binary (formats: docs/files.md). Polygons are triangulated (docs/meshes.md). Coincident
             corners of an .stl are merged.
         device: Target device, "cpu" by default.
-        up: Up axis of a mesh from .glb or .gltf: "y" as in the file, or "z".
+        up: Up axis of a mesh from .glb or .gltf: "y" as in the file, or "z". None: the up direction of the mesh that
+            `write_triangle_mesh` rotated, else "y".
         outside_files: Read images and other files outside the file's own folder.
         arrays: Library of returned arrays, as of `TriangleMesh`. If None: "numpy".
 
@@ -64,7 +65,6 @@ def read_triangle_mesh(
     where, library = resolve_device(device), library_for(arrays)
     table = read_mesh(path, up=up, outside_files=outside_files)
     mesh = mesh_of(table, path, device=where, arrays=library)
-    mesh.up = up if suffix in UPRIGHT else None
     return mesh
 
 
@@ -88,7 +88,7 @@ def mesh_of(
             device=device,
             arrays=arrays,
         )
-    mesh.unit, mesh.crs = table.unit, table.crs
+    mesh.unit, mesh.crs, mesh.up = table.unit, table.crs, table.up
     meters = None if table.unit is None else table.unit.meters
     warn_if_rounded(path, table.vertices, mesh.origin, None, lengths_of_axes(meters, in_degrees=in_degrees))
     return mesh
@@ -103,7 +103,7 @@ def write_triangle_mesh(
     write_vertex_normals: bool = True,
     write_vertex_colors: bool = True,
     write_triangle_uvs: bool = True,
-    up: str = "y",
+    up: str | None = None,
 ) -> None:
     """Write a triangle mesh. The extension determines the format.
 
@@ -120,7 +120,8 @@ def write_triangle_mesh(
         overwrite: Allow replacing existing files.
         write_vertex_normals, write_vertex_colors: Write these arrays if the mesh has them.
         write_triangle_uvs: Write texture coordinates, material ids and textures.
-        up: For .glb and .gltf: up axis of the mesh, "y" or "z"; converted to y in the file.
+        up: For .glb and .gltf, where y is up: up axis of the mesh, "y" or "z", which is rotated to y. None: `mesh.up`,
+            which `read_triangle_mesh` restores, or z of a mesh with a coordinate system, else "y".
 
     Raises:
         FileError: If the file cannot be written, or the format cannot store the mesh.

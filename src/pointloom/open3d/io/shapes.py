@@ -97,7 +97,7 @@ def read_native_mesh(filename: FilePath) -> NativeMesh:
     if suffix == ".stl":
         table = netted(read_stl)(filename, with_normals=True)
         return _split_at_edges(mesh_files.mesh_of(table, filename))
-    return mesh_files.read_triangle_mesh(filename)
+    return mesh_files.read_triangle_mesh(filename, up="y")
 
 
 def write_triangle_mesh(
@@ -124,6 +124,7 @@ def write_triangle_mesh(
         write_vertex_normals=write_vertex_normals,
         write_vertex_colors=write_vertex_colors,
         write_triangle_uvs=write_triangle_uvs,
+        up="y",  # Open3D does not rotate
     )
     return True
 

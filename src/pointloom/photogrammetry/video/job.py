@@ -18,11 +18,13 @@ from ...core.json_files import read_json_object
 from ...core.progress import ReportProgress
 from ...core.stages import Chain, StageResult
 from ...core.timing import peak_bytes_of_all
+from ...core.up_axis import UP
 from ...core.wording import few_of, json_text
 from ...core.work_folder import RunFolder
 from ...io.images.image_files import read_image_header
 from ...io.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
+from ...registration.trajectories.up_direction import up_of_poses
 from ..sfm.image_folder import check_path
 from ..sfm.image_positions import read_image_positions
 from . import motion, surface
@@ -204,6 +206,7 @@ def _run(
         cloud = read_point_cloud(chain.made["fused"].folder / surface.CLOUD, device=device).transform(fit.T_world_model)
         if figures.triangle_count:
             mesh = read_triangle_mesh(surface_made.folder / surface.MESH, device=device)
+            mesh.up = UP if fit.is_upright else up_of_poses(model.T_world_camera)
         else:
             reasons.append("the mesh is empty, and nothing was written; take more images")
     return VideoResult(

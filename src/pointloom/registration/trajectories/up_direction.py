@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.reports import AssessedRecord
+from ...core.up_axis import Direction, up_of_camera
 from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import eigh, matmul, norm
 
@@ -56,6 +57,18 @@ def up_direction(model: SfmModel, attitudes: Mapping[str, Sequence[float]] | Non
     if from_level.direction is None:
         return UpDirection(None, math.inf, "", (*from_attitudes.warnings, *from_level.warnings))
     return from_level
+
+
+def up_of_poses(T_world_camera: Array) -> Direction:
+    """Up direction of the world of poses (n, 4, 4) by level cameras, else by the first one: an axis if one is near."""
+    level = _by_level_cameras(T_world_camera[:, :3, :3].transpose(0, 2, 1)).direction
+    if level is None:
+        return up_of_camera(T_world_camera[0])
+    largest = int(np.abs(level).argmax())
+    if math.degrees(math.hypot(*np.delete(level, largest).tolist())) < MAX_SIGMA:
+        level = np.where(np.arange(3) == largest, np.copysign(1.0, level), 0.0)
+    x, y, z = level.tolist()
+    return x, y, z
 
 
 def up_in_camera(pitch: float, roll: float) -> Array:

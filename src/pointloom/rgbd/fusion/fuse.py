@@ -15,7 +15,6 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
-from ...core.up_axis import up_of_camera
 from ...io.frames.frames import (
     READ_AHEAD,
     FrameSource,
@@ -30,6 +29,7 @@ from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
 from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
+from ...registration.trajectories.up_direction import up_of_poses
 from ..slam.model import SlamModel
 from ..slam.volume_sizes import check_sizes
 from .pose_check import MAX_OFF_SURFACE, PoseCheck
@@ -107,7 +107,7 @@ def fuse(
     threshold = min_weight(len(poses)) if weight_threshold is None else weight_threshold
     report_progress("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
-    mesh.up = up_of_camera(poses[0])
+    mesh.up = up_of_poses(np.asarray(poses))
     clock.stop("extract")
     fractions_off = check.fractions_off(fold.volume)
     is_off = bool(fractions_off) and float(np.median(fractions_off)) > MAX_OFF_SURFACE

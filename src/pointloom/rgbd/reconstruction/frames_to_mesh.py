@@ -15,13 +15,13 @@ from ...core.devices import DeviceLike, resolve_device
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.timing import Clock, check_clock
-from ...core.up_axis import up_of_camera
 from ...core.wording import format_bounds
 from ...io.frames.frames import READ_AHEAD, FrameSource, can_read, check_frames
 from ...io.frames.rgbd_sources import RGBDSource
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...registration.trajectories.trajectory_error import TrajectoryError
+from ...registration.trajectories.up_direction import up_of_poses
 from ..slam.camera_check import FocalCheck
 from ..slam.focal_check import check_focal
 from ..slam.looped_model import SlamAccount, model_by_slam
@@ -146,7 +146,7 @@ def reconstruct(
     else:
         raise TypeError(f"fragments: expected FragmentOptions or None, got {type(fragments).__name__}")
     if len(account.trajectory):
-        mesh.up = up_of_camera(account.trajectory.poses[0])
+        mesh.up = up_of_poses(account.trajectory.poses)
     clock.restart()
     focal = account.path.camera if isinstance(account, SlamAccount) else None
     if not isinstance(account, SlamAccount) and hasattr(frames, "__len__"):  # which are there to be read again

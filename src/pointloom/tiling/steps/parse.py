@@ -8,7 +8,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
 from itertools import pairwise
 from pathlib import Path
@@ -313,8 +313,17 @@ class StatisticalOutlier(Step):
         return part.select(self.measure(part) <= limit)
 
 
+def relative_corner(params: Mapping[str, Any], plan: Mapping[str, Any]) -> NDArray[np.float64]:
+    """Corner of the voxel grid of a step relative to the origin of the plan's data."""
+    origin = np.array(plan["origin"])
+    if params["corner"] is not None:
+        return np.array(params["corner"]) - origin
+    low = (np.array(plan["voxel_low"]) - origin).astype(np.float32)
+    return low.astype(np.float64) - params["voxel_size"] / 2
+
+
 class VoxelDownSample(Step):
-    """Voxel means on the plan's grid. A voxel belongs to the tile that contains its center."""
+    """Voxel means. The grid is that of `voxel_down_sample` of all files. A voxel belongs to the tile of its center."""
 
     name, required = "voxel_down_sample", ("voxel_size",)
     defaults: ClassVar[dict[str, Any]] = {"corner": None}
@@ -335,14 +344,19 @@ class VoxelDownSample(Step):
         return after + radius + spread
 
     def run(self, part: Part, plan: TilePlan, numbers: ExactSums | None) -> Part:
-        corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
-        trace = part.cloud.voxel_down_sample_and_trace(self.size, min_bound=corner)
+        local = self.corner_in(plan) + (plan.origin - part.cloud.origin)
+        corner = local + part.cloud.origin
+        trace = part.cloud.trace_grid(self.size, local)
         offsets, order = np.asarray(trace.offsets), np.asarray(trace.indices)
         firsts = download(part.cloud.arrays["points"])[order[offsets[:-1]]].astype(np.float64)
-        cells = np.floor((firsts - (corner - part.cloud.origin)) / self.size)
+        cells = np.floor((firsts - local) / self.size)
         homes = corner[:2] + (cells[:, :2] + 0.5) * self.size
         keys = self._keys(cells, corner, plan, part)
         return Part(trace.cloud, None, homes, self.spread_after(part.spread), keys=keys)
+
+    def corner_in(self, plan: TilePlan) -> NDArray[np.float64]:
+        """Corner of the grid relative to the plan's origin, rounded as that of a cloud of all files."""
+        return relative_corner(self.params, plan.data)
 
     def _keys(
         self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: TilePlan, part: Part

@@ -74,6 +74,7 @@ def write_triangle_mesh(
         write_vertex_normals=write_vertex_normals,
         write_vertex_colors=write_vertex_colors,
         write_triangle_uvs=write_triangle_uvs,
+        up="y",  # Open3D does not rotate
     )
     return True
 
