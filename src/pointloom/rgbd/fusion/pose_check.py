@@ -154,17 +154,16 @@ class PoseCheck:
         """
         views, K = self._views, self._intrinsic
         given = [each.given for each in self._samples.values()]
-        fit = fit_posed_camera(views, given, self._given_pairs)
-        found = (None, 1.0, 0.0) if fit is None else judge_posed_camera(fit, K)
-        is_fitting = fit is not None and fit.residual < MIN_RESIDUAL_RATIO * fit.fitted_residual
+        fits = fit_posed_camera(views, given, self._given_pairs)
+        found = judge_posed_camera(fits, K)
+        is_fitting = bool(fits) and fits[0].residual < MIN_RESIDUAL_RATIO * fits[0].fitted_residual
         is_fitting &= found[0] is None or found[0].reliable
         if is_fitting and not is_off and found[1] == 1.0:
             return found
         if (factor := depth_factor(views, given)) == 1.0:
             return found
         scaled = [CameraView(view.nearness / np.float32(factor), view.lens) for view in views]
-        fit = fit_posed_camera(scaled, given)
-        return (None, factor, 0.0) if fit is None else judge_posed_camera(fit, K, factor)
+        return judge_posed_camera(fit_posed_camera(scaled, given), K, factor)
 
     def fractions_off(self, volume: TSDFVolume) -> tuple[float, ...]:
         """Fraction of pixels off the surface by half the truncation, by frame. Empty for fewer than two frames."""

@@ -70,6 +70,18 @@ MEDIAN_SQUARE = 0.6  # median of a squared deviation in one to three directions,
 USUAL_NOISE, NOISE_FACTOR = 0.004, 4.0
 MIN_INFORMATION_RATIO = 0.02  # of information without the noise of normals to that with it: less is none
 BIAS_RAY = 0.5  # ray x, y at which a pattern has its value
+# Log fx and log fy, principal point, radial distortion and log depth, by the parameters of the fit.
+TO_FOCAL_LENGTHS = np.eye(6)[[0, 0, 1, 2, 3, 5]]
+TO_FOCAL_LENGTHS[:2, 4] = 0.5, -0.5
+# Its inverse by rows, and single errors: focal length, fx, fy, principal point (u, v), distortion, depth.
+FROM_FOCAL_LENGTHS = np.eye(6)[[0, 0, 1, 2, 3, 5]]
+FROM_FOCAL_LENGTHS[:2, [0, 4]] = [[0.5, 1.0], [0.5, -1.0]]
+SINGLE_ERRORS = np.vstack([np.eye(6)[0], FROM_FOCAL_LENGTHS])
+# Corrections with given poses are reported beyond POSED_SIGMAS deviations, if they move the surface by more than
+# MIN_DISPLACEMENT (root mean square [m], three quarters of a default voxel).
+POSED_SIGMAS, MIN_DISPLACEMENT = 2.5, 0.015
+# Points are matched again for values above CONSIDERABLE of these limits that have changed by MAX_UNMATCHED since.
+CONSIDERABLE, MAX_MATCHINGS, MAX_UNMATCHED = 0.8, 4, 0.002
 
 
 class CameraView(NamedTuple):
@@ -109,6 +121,19 @@ class PosedCameraFit(NamedTuple):
     residual: float
     fitted_residual: float
     pair_count: int
+
+    @property
+    def deviations(self) -> Floats:
+        return np.sqrt(np.diag(self.covariance))
+
+    def limits(self) -> Floats:
+        """Smallest reported values, float64 [6]."""
+        return np.maximum(POSED_SIGMAS * self.deviations, MIN_DISPLACEMENT / np.maximum(self.displacements, 1e-9))
+
+    @property
+    def is_considerable(self) -> bool:
+        """Whether a value is reported, or may be if points are matched with it."""
+        return bool((np.abs(self.values) > CONSIDERABLE * self.limits()).any())
 
 
 def rotated_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
@@ -231,41 +256,24 @@ def posed_pairs(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -
 
 def fit_posed_camera(
     views: Sequence[CameraView], poses: Sequence[Floats] | Floats, pairs: ViewPairs | None = None
-) -> PosedCameraFit | None:
-    """Fit the camera and the depth to views with known poses T_world_camera. None if too few agree. `pairs`: theirs.
+) -> list[PosedCameraFit]:
+    """Fit the camera and the depth to views with known poses T_world_camera. `pairs`: those of the views.
 
-    The poses are not corrected: free poses hide errors of the camera, and biased depth then looks like another camera.
-    The deviations contain the scatter over frames (jackknife) and the effect of drift and biased depth.
+    The first fit is that of all parameters, the others are those of one error alone (SINGLE_ERRORS), which are more
+    precise. Empty if too few points agree. The poses are not corrected: free poses hide errors of the camera, and
+    biased depth then looks like another camera. The deviations contain the scatter over frames (jackknife) and the
+    effect of drift and biased depth. Points are matched again only for errors that may be reported.
     """
-    pairs = posed_pairs(views, poses) if pairs is None else pairs
-    values = np.zeros(len(POSED_PRIOR))
-    given = found = _posed_equations(pairs, values, FIRST_GATE) if pairs.pairs else None
-    for step in range(GAUSS_NEWTON_STEPS):
-        gate = max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE)
-        found = _posed_equations(pairs, values, gate) if step else given
-        if found is None:
-            return None
-        change = np.clip(-matmul(found.inverse, found.gradients.sum(0) + values / POSED_PRIOR**2), -MAX_STEP, MAX_STEP)
-        values = values + change
-        if gate == LAST_GATE and np.abs(change).max() < MAX_LAST_CHANGE:
-            break
-    found = _posed_equations(pairs, values, LAST_GATE, with_motion=True)
-    if found is None or given is None:
-        return None
-    given = _posed_equations(pairs, 0.0 * values, LAST_GATE) or given
-    widening = found.widening(values)
-    covariance = _scatter(found.pairs, found.systems, found.gradients, values, POSED_PRIOR) + found.common_errors(
-        np.array(poses), values
+    pairs, size = posed_pairs(views, poses) if pairs is None else pairs, len(POSED_PRIOR)
+    if not pairs.pairs:
+        return []
+    start, everything = _PosedRows(pairs, np.array(poses), np.zeros(size)), np.eye(size)
+    given = start.equations(everything, np.zeros(size), LAST_GATE)
+    given = start.equations(everything, np.zeros(size), FIRST_GATE) if given is None else given
+    fits = (
+        [] if given is None else [start.fit(basis, given.residual) for basis in (everything, *SINGLE_ERRORS[..., None])]
     )
-    covariance = matmul(matmul(widening, covariance), widening.T)
-    to_focal_lengths = np.eye(len(values))[[0, 0, 1, 2, 3, 5]]
-    to_focal_lengths[:2, 4] = 0.5, -0.5
-    rows, back = found.rows, inv(to_focal_lengths)
-    moved = matmul(back.T, _derivatives(rows.at_first, rows.first_planes[0], values))
-    values = matmul(to_focal_lengths, values)
-    covariance = matmul(matmul(to_focal_lengths, covariance), to_focal_lengths.T)
-    displacements = np.sqrt((moved**2).mean(axis=1))
-    return PosedCameraFit(values, covariance, displacements, given.residual, found.residual, len(found.pairs))
+    return [] if not fits or fits[0] is None else [fit for fit in fits if fit is not None]
 
 
 def displacements_of_poses(pairs: ViewPairs) -> Floats:
@@ -286,40 +294,117 @@ def displacements_of_poses(pairs: ViewPairs) -> Floats:
 
 
 class _PosedEquations(NamedTuple):
-    """Normal equations of each pair by the camera and by the motion, in units of the noise, and their `mixed` products.
-
-    `inverse` is that of the matrix of all pairs and the prior.
-    """
+    """Normal equations of each pair by the factors of a basis, in units of the noise, at residuals with weights."""
 
     systems: Floats
     gradients: Floats
-    mixed: Floats
-    inverse: Floats
-    pairs: NDArray[np.int64]
+    is_used: NDArray[np.bool_]  # of the pairs of the rows
     residual: float
     noise: float
-    rows: _Matches
+    residuals: Floats
+    weights: Floats
 
-    def widening(self, values: Floats) -> Floats:
-        """Factor of errors where noise of the normals counts as information, at most 1 / MIN_INFORMATION_RATIO."""
-        rows = self.rows
-        first, second = (rows.jacobian(planes, values)[6:] for planes in (rows.first_planes, rows.second_planes))
-        weights, used = rows.weights() / self.noise, rows.counts[rows.counts > 0]
-        both = 0.5 * (_sums_of_pairs(first * weights, second, used) + _sums_of_pairs(second * weights, first, used))
+
+class _PosedRows:
+    """Points of pairs with known poses, matched with the camera `values`, and their linear residuals about it."""
+
+    def __init__(self, pairs: ViewPairs, poses: Floats, values: Floats) -> None:
+        self.values, self._all, self._poses = values, pairs, poses
+        self._rows = rows = pairs.matches(pairs.poses, values, FIRST_GATE)
+        is_matched = rows.counts > 0
+        self._pairs, self._counts = np.array(pairs.pairs)[is_matched], rows.counts[is_matched]
+        self._starts = np.cumsum(self._counts) - self._counts
+        self._expected = rows.expected()
+        self._by_motion, self._by_camera = np.split(rows.jacobian(rows.first_planes, values)[:-1], [6])
+
+    def equations(self, basis: Floats, factors: Floats, gate: float) -> _PosedEquations | None:
+        """At `values` and `factors` of the columns of `basis`. None if too few pairs or points agree."""
+        if len(self._counts) < MIN_PAIRS:
+            return None
+        J = matmul(basis.T, self._by_camera)
+        r = self._rows.residuals + (factors[:, None] * J).sum(axis=0)
+        is_inside = np.abs(r) < gate
+        counts = np.add.reduceat(is_inside, self._starts, dtype=np.int64)
+        is_used = counts >= self._all.min_pair_points
+        count = int(counts[is_used].sum())
+        if count < self._all.min_points or is_used.sum() < MIN_PAIRS:
+            return None
+        weights = _robust_weights(r, self._expected) * (is_inside & np.repeat(is_used, self._counts))
+        rows = np.vstack([J, r])
+        sums = _sums_of_pairs(rows * weights, rows, self._counts)[is_used]
+        cost = float(sums[:, -1, -1].sum())
+        noise = COMMON_PIXELS * cost / count + 1e-12
+        residual = math.sqrt(cost / float(weights.sum()))
+        return _PosedEquations(
+            sums[:, :-1, :-1] / noise, sums[:, :-1, -1] / noise, is_used, residual, noise, r, weights
+        )
+
+    def fit(self, basis: Floats, residual: float) -> PosedCameraFit | None:
+        """The fit along the columns of `basis`. `residual`: that of the given camera. None if too few points agree."""
+        at, rounds = self, 0
+        while (factors := at._solution(basis)) is not None and (found := at.equations(basis, factors, LAST_GATE)):
+            fit = at._fit_of(basis, factors, found, residual)
+            change = matmul(basis, factors)
+            rounds += 1
+            if rounds == MAX_MATCHINGS or not fit.is_considerable or np.abs(change).max() < MAX_UNMATCHED:
+                return fit
+            at = _PosedRows(self._all, self._poses, at.values + change)
+        return None
+
+    def _solution(self, basis: Floats) -> Floats | None:
+        """Gauss-Newton over the factors of the columns of `basis`."""
+        prior, factors = 1.0 / POSED_PRIOR**2, np.zeros(basis.shape[1])
+        pull = matmul(basis.T, np.diag(prior), basis)
+        for step in range(GAUSS_NEWTON_STEPS):
+            gate = max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE)
+            found = self.equations(basis, factors, gate)
+            if found is None:
+                return None
+            gradient = found.gradients.sum(0) + matmul(basis.T, prior * self.values) + matmul(pull, factors)
+            change = np.clip(-matmul(inv(found.systems.sum(0) + pull), gradient), -MAX_STEP, MAX_STEP)
+            factors = factors + change
+            if gate == LAST_GATE and np.abs(change).max() < MAX_LAST_CHANGE:
+                break
+        return factors
+
+    def _fit_of(self, basis: Floats, factors: Floats, found: _PosedEquations, residual: float) -> PosedCameraFit:
+        values, to_values = self.values + matmul(basis, factors), matmul(TO_FOCAL_LENGTHS, basis)
+        covariance = matmul(to_values, self._covariance(basis, factors, found), to_values.T)
+        rows = self._rows
+        moved = matmul(FROM_FOCAL_LENGTHS, _derivatives(rows.at_first, rows.first_planes[0], self.values))
+        displacements = np.sqrt((moved**2).mean(axis=1))
+        values = matmul(TO_FOCAL_LENGTHS, values)
+        return PosedCameraFit(values, covariance, displacements, residual, found.residual, int(found.is_used.sum()))
+
+    def _covariance(self, basis: Floats, factors: Floats, found: _PosedEquations) -> Floats:
         prior = np.diag(1.0 / POSED_PRIOR**2)
-        return _widening(self.systems.sum(0) + prior, both.sum(0)[:-1, :-1] + prior)
+        pull = matmul(basis.T, prior, basis)
+        at_values = matmul(basis.T, prior, self.values) + matmul(pull, factors)
+        counted = found.systems.sum(0) + pull
+        moved = matmul(self._common_errors(basis, found), inv(counted))
+        errors = _scatter(self._pairs[found.is_used], found.systems, found.gradients, at_values, pull)
+        widening = _widening(counted, self._information(basis, found) + pull)
+        return matmul(widening, errors + matmul(moved.T, moved), widening.T)
 
-    def common_errors(self, poses: Floats, values: Floats) -> Floats:
-        """Covariance of drift, along each axis of the world and linear or bent over time, and of biased depth."""
-        first, second = self.pairs.T
+    def _information(self, basis: Floats, found: _PosedEquations) -> Floats:
+        """Information by products of derivatives at planes of both views, without the noise of their normals."""
+        rows = self._rows
+        second = matmul(basis.T, rows.jacobian(rows.second_planes, self.values)[6:-1])
+        first = matmul(basis.T, self._by_camera) * (found.weights / found.noise)
+        both = (first[:, None] * second).sum(axis=2)
+        return 0.5 * (both + both.T)
+
+    def _common_errors(self, basis: Floats, found: _PosedEquations) -> Floats:
+        """Right sides of drift, along each axis of the world and linear or bent over time, and of biased depth."""
+        poses, (first, second) = self._poses, self._pairs.T
         time = np.arange(len(poses)) / max(len(poses) - 1, 1)
         drift = np.stack([time, 4.0 * time * (1.0 - time)])
         to_first = poses[first, :3, :3].transpose(0, 2, 1)
         offset = matmul(to_first, (poses[second, :3, 3] - poses[first, :3, 3])[..., None])[..., 0]
-        rows = self.rows
-        J = rows.jacobian(rows.first_planes, values)[6:-1]
-        effects = [matmul(rows.biased(), (J * (rows.weights() / self.noise)).T)]
-        noise = NOISE_FACTOR * max(self.pose_noise() - USUAL_NOISE, 0.0)
+        J = matmul(basis.T, self._by_camera) * (found.weights / found.noise)
+        effects = [(self._rows.biased()[:, None] * J).sum(axis=2)]
+        mixed = _products_of_pairs(self._by_motion, J, self._counts)
+        noise = NOISE_FACTOR * max(self._pose_noise(found) - USUAL_NOISE, 0.0)
         for axis in range(3):
             direction = to_first[..., axis]
             rotation = np.hstack([direction, -np.cross(direction, offset)])
@@ -327,15 +412,14 @@ class _PosedEquations(NamedTuple):
             amounts = ((rotation, ROTATION_DRIFT, 0.0), (translation, DRIFT, noise))
             for twist, drifted, deviation in amounts:
                 shapes = np.vstack([drifted * drift, deviation * np.eye(len(poses))])
-                effect = (self.mixed * twist[..., None]).sum(axis=1)
+                effect = (mixed * twist[..., None]).sum(axis=1)
                 effects.append(matmul(shapes[:, second] - shapes[:, first], effect))
-        moved = matmul(np.vstack(effects), self.inverse)
-        return matmul(moved.T, moved)
+        return np.vstack(effects)
 
-    def pose_noise(self) -> float:
+    def _pose_noise(self, found: _PosedEquations) -> float:
         """Deviation of the positions [m], by axis, from the displacements that pairs would fit better with."""
-        planes = np.vstack([self.rows.first_planes[0], self.rows.residuals])
-        sums = _sums_of_pairs(planes, planes, self.rows.counts[self.rows.counts > 0])
+        planes = np.vstack([self._rows.first_planes[0], found.residuals])
+        sums = _sums_of_pairs(planes * (found.weights > 0), planes, self._counts)[found.is_used]
         squares = (sums[:, :3, 3] ** 2).sum(axis=1) / (sums[:, :3, :3] ** 2).sum(axis=(1, 2))
         return math.sqrt(float(np.median(squares)) / MEDIAN_SQUARE / 2.0)  # two poses of a pair
 
@@ -357,35 +441,15 @@ def _widening(counted: Floats, known: Floats) -> Floats:
 
 
 def _scatter(
-    pairs: NDArray[np.int64], systems: Floats, gradients: Floats, values: Floats, prior_deviations: Floats
+    pairs: NDArray[np.int64], systems: Floats, gradients: Floats, prior_gradient: Floats, prior: Floats
 ) -> Floats:
-    """Covariance from the solutions without any one of the views (jackknife)."""
-    views, prior = np.unique(pairs), 1.0 / prior_deviations**2
+    """Covariance from the solutions without any one of the views (jackknife). `prior`: its information."""
+    views = np.unique(pairs)
     kept = np.array([(pairs != view).all(axis=1) for view in views], np.float64)
     remaining = matmul(kept, systems.reshape(len(pairs), -1)).reshape(-1, *systems.shape[1:])
-    changes = -matmul(inv(remaining + np.diag(prior)), (matmul(kept, gradients) + values * prior)[..., None])[..., 0]
+    changes = -matmul(inv(remaining + prior), (matmul(kept, gradients) + prior_gradient)[..., None])[..., 0]
     changes -= changes.mean(axis=0)
     return (len(views) - 1) / len(views) * matmul(changes.T, changes)
-
-
-def _posed_equations(
-    views: ViewPairs, values: Floats, gate: float, with_motion: bool = False
-) -> _PosedEquations | None:
-    """The equations at a camera, `with_motion` with the `mixed` products. None if too few pairs or points agree."""
-    rows = views.matches(views.poses, values, gate)
-    used = rows.counts > 0
-    if len(rows.residuals) < views.min_points or used.sum() < MIN_PAIRS:
-        return None
-    weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)[0 if with_motion else 6 :]
-    sums = _sums_of_pairs(J * weights, J, rows.counts[used])
-    cost = float(sums[:, -1, -1].sum())
-    noise = COMMON_PIXELS * cost / len(weights) + 1e-12
-    sums = sums / noise
-    camera = slice(-len(values) - 1, -1)
-    systems, gradients, mixed = sums[:, camera, camera], sums[:, camera, -1], sums[:, : camera.start, camera]
-    inverse = inv(systems.sum(0) + np.diag(1.0 / POSED_PRIOR**2))
-    residual = math.sqrt(cost / float(weights.sum()))
-    return _PosedEquations(systems, gradients, mixed, inverse, np.array(views.pairs)[used], residual, noise, rows)
 
 
 def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> float:
@@ -448,12 +512,14 @@ class _Matches(NamedTuple):
     at_second: Floats
     counts: NDArray[np.int64]  # of each pair
 
-    def weights(self) -> Floats:
-        """Robust weights. The noise is that of depth, so that they do not depend on how much the rays are stretched."""
+    def expected(self) -> Floats:
+        """Expected residuals [m]. The noise is that of depth: it does not depend on how much the rays are stretched."""
         (x, y, z), n = self.at_first, self.first_planes[0]
         along = np.maximum(np.abs(n[0] * x + n[1] * y + n[2]), MIN_COSINE)
-        expected = (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * along
-        return 1.0 / ((1.0 + (self.residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
+        return (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * along
+
+    def weights(self) -> Floats:
+        return _robust_weights(self.residuals, self.expected())
 
     def jacobian(self, planes: Floats, values: Floats) -> Floats:
         """Derivatives of the residuals by the motion and the camera, and the residuals, (13, n).
@@ -472,6 +538,10 @@ class _Matches(NamedTuple):
         return DEPTH_BIAS * (
             _bias_patterns(self.at_second, self.first_planes[1]) - _bias_patterns(self.at_first, self.first_planes[0])
         )
+
+
+def _robust_weights(residuals: Floats, expected: Floats) -> Floats:
+    return 1.0 / ((1.0 + (residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
 
 
 class _Solution(NamedTuple):
@@ -573,7 +643,8 @@ def _deviations(found: _Solution, pairs: NDArray[np.int64]) -> Floats:
     pull = np.diag(1.0 / prior**2)
     widening = _widening(total + pull, known.sum(0) + pull)
     effects = matmul(inv(total + pull), rights[..., 1:].sum(0))
-    covariance = _scatter(pairs, systems, rights[..., 0], found.values[:size], prior) + matmul(effects, effects.T)
+    prior_gradient = found.values[:size] / prior**2
+    covariance = _scatter(pairs, systems, rights[..., 0], prior_gradient, pull) + matmul(effects, effects.T)
     spread = np.sqrt(np.diag(matmul(matmul(widening, covariance), widening.T)))
     largest = np.maximum(spread, ratios * prior)
     deviations[:size] = np.where(largest < MAX_DEVIATION_RATIO * prior, largest, math.inf)

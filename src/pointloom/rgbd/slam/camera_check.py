@@ -16,6 +16,7 @@ from ...kernels.linear_algebra import matmul
 from ...kernels.rgbd.stream_views import StreamView, view_stream
 from ..odometry.camera_fit import (
     MIN_DEPTH_FACTOR,
+    POSED_SIGMAS,
     CameraFit,
     CameraView,
     PosedCameraFit,
@@ -32,14 +33,13 @@ from .frames import SensorFrame
 # (2026-11-29), and with other deviations on sites of seed 502: 0 of 21 windows with the right camera are reported
 # (2026-11-30).
 MAX_CORRECTIONS, MAX_SIGMAS = np.array([0.055, 0.28, 0.28, 0.2]), 1.5
-# Corrections with given poses are reported beyond POSED_SIGMAS deviations, if they move the surface by more than
-# MIN_DISPLACEMENT (root mean square [m], three quarters of a default voxel), and reduce the residual by MIN_FALL, which
-# errors of the poses hardly do. Radial distortion is also larger than that of usual lenses. Deviations above
+# Corrections with given poses are reported beyond their limits (camera_fit.py), if they reduce the residual by MIN_FALL,
+# which errors of the poses hardly do. Radial distortion is also larger than that of usual lenses. Deviations above
 # MAX_POSED_DEVIATION determine nothing, unless the residual falls by MIN_RESIDUAL_RATIO: windows of less than a second
 # of the kitchen have deviations of 0.05 and more, and ratios up to 1.9. Chosen on all its frames: of 380 random windows
 # at the right camera, 1 of 300 of 4 to 20 frames and 2 of 80 of 30 to 139 frames are reported. Held out: of walks on
 # sites of seeds 302 and 303, none of the correct ones is reported (2026-11-30).
-POSED_SIGMAS, MIN_DISPLACEMENT, MIN_FALL = 2.5, 0.015, 1.1
+MIN_FALL = 1.1
 MAX_POSED_DEVIATION, MIN_RESIDUAL_RATIO = 0.05, 2.5
 MIN_POSED_CORRECTIONS = np.array([0.0, 0.0, 0.0, 0.0, 0.2, 0.0])
 
@@ -143,18 +143,38 @@ def judged(fit: CameraFit | None, intrinsic: PinholeCameraIntrinsic) -> FocalChe
 
 
 def judge_posed_camera(
-    fit: PosedCameraFit, intrinsic: PinholeCameraIntrinsic, factor: float = 1.0
+    fits: Sequence[PosedCameraFit], intrinsic: PinholeCameraIntrinsic, factor: float = 1.0
 ) -> tuple[FocalCheck | None, float, float]:
     """The camera, the factor of the depth (1 without a better one) and its deviation.
 
-    The camera is None if its focal lengths are not determined. `factor` is that of `depth_factor`, by which the depth
-    of the views was scaled.
+    The first of the fits is that of all values, the others are those of single errors. The camera is None if the frames
+    do not determine its focal lengths. `factor` is that of `depth_factor`, by which the depth of the views was scaled.
     """
-    values, deviations = fit.values.copy(), np.sqrt(np.diag(fit.covariance))
+    if not fits:
+        return None, factor, 0.0
+    complete = _judged_fit(fits[0], intrinsic, factor)
+    if factor != 1.0:
+        return complete
+    verdicts = [(fit.fitted_residual, _judged_fit(fit, intrinsic)) for fit in fits[1:]]
+    reported = [each for each in verdicts if _is_reported(each[1])]
+    if not reported:
+        return complete
+    residual, single = min(reported, key=lambda each: each[0])
+    is_enough = not _is_reported(complete) or residual < MIN_FALL * fits[0].fitted_residual
+    return single if is_enough else complete
+
+
+def _is_reported(found: tuple[FocalCheck | None, float, float]) -> bool:
+    camera, factor, _ = found
+    return factor != 1.0 or (camera is not None and not camera.reliable)
+
+
+def _judged_fit(
+    fit: PosedCameraFit, intrinsic: PinholeCameraIntrinsic, factor: float = 1.0
+) -> tuple[FocalCheck | None, float, float]:
+    values, deviations = fit.values.copy(), fit.deviations
     values[5] += math.log(factor)
-    is_off = (np.abs(values) > MIN_POSED_CORRECTIONS + POSED_SIGMAS * deviations) & (
-        np.abs(values) * fit.displacements > MIN_DISPLACEMENT
-    )
+    is_off = np.abs(values) > np.maximum(fit.limits(), MIN_POSED_CORRECTIONS + POSED_SIGMAS * deviations)
     is_known = (deviations < MAX_POSED_DEVIATION) | (fit.residual > MIN_RESIDUAL_RATIO * fit.fitted_residual)
     is_off &= is_known & (fit.residual > MIN_FALL * fit.fitted_residual)
     is_off[5] |= factor != 1.0 and abs(values[5]) > math.log(MIN_DEPTH_FACTOR)
