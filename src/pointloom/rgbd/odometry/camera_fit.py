@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -54,34 +55,10 @@ FIXED_DEVIATION = 1e-9  # deviation of a parameter that is not estimated
 # radial distortion, log fx / fy and log depth. They keep undetermined parameters near 0. Pairs of free poses determine
 # no factor of the depth, and fx / fy only together with the rotations.
 PRIOR_DEVIATIONS = np.array([0.3, 0.15, 0.15, 0.3, FIXED_DEVIATION, FIXED_DEVIATION])
-
-# Deviations before the fit of a camera to given poses.
-POSED_PRIOR = np.array([0.3, 0.15, 0.15, 0.2, 0.1, 0.3])
-MAX_POSED_PAIRS, MAX_POSED_DISTANCE, POSED_CELL_STEP = 48, 2.0, 4  # pairs, [m] between cameras, every n-th cell
-# Errors of correct recordings that all frames have in common: drift of the poses over the recording [m, rad], and depth
-# that is off by DEPTH_BIAS z^2 [1/m] in patterns of low order over the image. Both are added to the scatter of frames.
-# Poses of KinectFusion and the depth of a Kinect: without them, 75 frames of a kitchen have fitted values of up to 50
-# deviations, with them of up to 3 (chosen on frames 0-299, nothing of it is held out, 2026-11-30).
-DRIFT, ROTATION_DRIFT, DEPTH_BIAS = 0.005, 0.0025, 0.0012
-MEDIAN_SQUARE = 0.6  # median of a squared deviation in one to three directions, by its variance
-# Noise of positions [m] that the scatter covers: a kitchen has up to 0.0045. More noise also biases the fit: it hides
-# in the depth of motions that the frames hardly contain: bias and scatter are below NOISE_FACTOR times the excess
-# (chosen on sites of seed 301, verified on seeds 302 and 303, 2026-11-30).
-USUAL_NOISE, NOISE_FACTOR = 0.004, 4.0
 MIN_INFORMATION_RATIO = 0.02  # of information without the noise of normals to that with it: less is none
 BIAS_RAY = 0.5  # ray x, y at which a pattern has its value
-# Log fx and log fy, principal point, radial distortion and log depth, by the parameters of the fit.
-TO_FOCAL_LENGTHS = np.eye(6)[[0, 0, 1, 2, 3, 5]]
-TO_FOCAL_LENGTHS[:2, 4] = 0.5, -0.5
-# Its inverse by rows, and single errors: focal length, fx, fy, principal point (u, v), distortion, depth.
-FROM_FOCAL_LENGTHS = np.eye(6)[[0, 0, 1, 2, 3, 5]]
-FROM_FOCAL_LENGTHS[:2, [0, 4]] = [[0.5, 1.0], [0.5, -1.0]]
-SINGLE_ERRORS = np.vstack([np.eye(6)[0], FROM_FOCAL_LENGTHS])
-# Corrections with given poses are reported beyond POSED_SIGMAS deviations, if they move the surface by more than
-# MIN_DISPLACEMENT (root mean square [m], three quarters of a default voxel).
-POSED_SIGMAS, MIN_DISPLACEMENT = 2.5, 0.015
-# Points are matched again for values above CONSIDERABLE of these limits that have changed by MAX_UNMATCHED since.
-CONSIDERABLE, MAX_MATCHINGS, MAX_UNMATCHED = 0.8, 4, 0.002
+# Depth of correct recordings is off by up to DEPTH_BIAS z^2 [1/m], in patterns of low order over the image.
+DEPTH_BIAS = 0.0012
 
 
 class CameraView(NamedTuple):
@@ -107,45 +84,12 @@ class CameraFit(NamedTuple):
     poses: Floats
 
 
-class PosedCameraFit(NamedTuple):
-    """Corrections of a camera with given poses: log fx, log fy, principal point (u, v) in focal lengths, radial
-    distortion of rays, and log depth.
-
-    `values` and `displacements` are float64 [6], `covariance` is float64 [6, 6]. A correction of 1 moves the surface by
-    the displacement [m], the root mean square along the normals. `residual` and `fitted_residual`: as in CameraFit.
-    """
-
-    values: Floats
-    covariance: Floats
-    displacements: Floats
-    residual: float
-    fitted_residual: float
-    pair_count: int
-
-    @property
-    def deviations(self) -> Floats:
-        return np.sqrt(np.diag(self.covariance))
-
-    def limits(self) -> Floats:
-        """Smallest reported values, float64 [6]."""
-        return np.maximum(POSED_SIGMAS * self.deviations, MIN_DISPLACEMENT / np.maximum(self.displacements, 1e-9))
-
-    @property
-    def is_considerable(self) -> bool:
-        """Whether a value is reported, or may be if points are matched with it."""
-        return bool((np.abs(self.values) > CONSIDERABLE * self.limits()).any())
-
-
 def rotated_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
     """Index pairs of poses that are rotated against each other and near, spread over the path."""
-    return _spread_pairs(poses, MIN_ROTATION, MAX_DISTANCE, len(poses))
+    return spread_pairs(poses, MIN_ROTATION, MAX_DISTANCE, len(poses))
 
 
-def _posed_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
-    return _spread_pairs(poses, 0.0, MAX_POSED_DISTANCE, len(poses), MAX_POSED_PAIRS)
-
-
-def _spread_pairs(
+def spread_pairs(
     poses: Sequence[Floats] | Floats, min_rotation: float, max_distance: float, max_gap: int, max_pairs: int = MAX_PAIRS
 ) -> list[tuple[int, int]]:
     T = np.array(poses, np.float64).reshape(-1, 4, 4)
@@ -202,7 +146,12 @@ class ViewPairs:
         self._pair = np.repeat(np.arange(len(self.pairs)), self._counts)
         self.min_pair_points, self.min_points = (4 * count // cell_step**2 for count in (MIN_PAIR_POINTS, MIN_POINTS))
 
-    def matches(self, poses: Floats, values: Floats, gate: float) -> _Matches:
+    @cached_property
+    def given(self) -> Matches:
+        """Matches at the given poses and camera."""
+        return self.matches(self.poses, np.zeros(len(PRIOR_DEVIATIONS)), FIRST_GATE)
+
+    def matches(self, poses: Floats, values: Floats, gate: float) -> Matches:
         """Points of second views that agree with the first ones, of pairs with enough of them."""
         z, x, y = self._second[0] * math.exp(values[5]), *_rays(self._second[4], self._second[5], values)
         T = np.repeat(poses[:, :3].reshape(-1, 12).T, self._counts, axis=1)
@@ -233,195 +182,20 @@ class ViewPairs:
         at_first = np.stack([x_first, y_first, z_first])[:, keep]
         first_planes, second_planes = np.stack([n, back])[..., keep], np.stack([forth, m])[..., keep]
         counts = np.where(is_enough, counts, 0)
-        return _Matches(r[keep], p[:, keep], first_planes, second_planes, at_first, at_second, counts)
+        return Matches(r[keep], p[:, keep], first_planes, second_planes, at_first, at_second, counts)
 
 
 def fit_camera(views: ViewPairs) -> CameraFit | None:
     """Fit the camera to pairs of views with approximate poses. None if too few agree."""
-    given = _solve(views, views.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if views.pairs else None
+    given = solve_pairs(views, views.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if views.pairs else None
     if given is None:
         return None
-    found = _solve(views, given.poses, PRIOR_DEVIATIONS)
+    found = solve_pairs(views, given.poses, PRIOR_DEVIATIONS)
     if found is None:
         return None
     deviations = _deviations(found, np.array(views.pairs)[found.sums.used])
     values = np.where(np.isfinite(deviations), found.values, 0.0)
     return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
-
-
-def posed_pairs(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> ViewPairs:
-    """Pairs of views with known poses T_world_camera."""
-    return ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP, POSED_PLANE_RADIUS)
-
-
-def fit_posed_camera(
-    views: Sequence[CameraView], poses: Sequence[Floats] | Floats, pairs: ViewPairs | None = None
-) -> list[PosedCameraFit]:
-    """Fit the camera and the depth to views with known poses T_world_camera. `pairs`: those of the views.
-
-    The first fit is that of all parameters, the others are those of one error alone (SINGLE_ERRORS), which are more
-    precise. Empty if too few points agree. The poses are not corrected: free poses hide errors of the camera, and
-    biased depth then looks like another camera. The deviations contain the scatter over frames (jackknife) and the
-    effect of drift and biased depth. Points are matched again only for errors that may be reported.
-    """
-    pairs, size = posed_pairs(views, poses) if pairs is None else pairs, len(POSED_PRIOR)
-    if not pairs.pairs:
-        return []
-    start, everything = _PosedRows(pairs, np.array(poses), np.zeros(size)), np.eye(size)
-    given = start.equations(everything, np.zeros(size), LAST_GATE)
-    given = start.equations(everything, np.zeros(size), FIRST_GATE) if given is None else given
-    fits = (
-        [] if given is None else [start.fit(basis, given.residual) for basis in (everything, *SINGLE_ERRORS[..., None])]
-    )
-    return [] if not fits or fits[0] is None else [fit for fit in fits if fit is not None]
-
-
-def displacements_of_poses(pairs: ViewPairs) -> Floats:
-    """Displacement of the surface [m] by the error of the poses of each pair that can be aligned.
-
-    It is the root mean square along the normals.
-    """
-    found = _solve(pairs, pairs.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
-    if found is None:
-        return np.empty(0)
-    rows, used = found.sums.rows, found.sums.used
-    counts, p, n = rows.counts[used], rows.points, rows.first_planes[0]
-    change = np.array([matmul(a, invert_pose(b)) for a, b in zip(pairs.poses[used], found.poses[used], strict=True)])
-    T = np.repeat((change - np.eye(4))[:, :3].reshape(-1, 12).T, counts, axis=1)
-    moved = [row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3] for row in (T[:4], T[4:8], T[8:])]
-    squares = (moved[0] * n[0] + moved[1] * n[1] + moved[2] * n[2]) ** 2
-    return np.sqrt(np.add.reduceat(squares, np.cumsum(counts) - counts) / counts)
-
-
-class _PosedEquations(NamedTuple):
-    """Normal equations of each pair by the factors of a basis, in units of the noise, at residuals with weights."""
-
-    systems: Floats
-    gradients: Floats
-    is_used: NDArray[np.bool_]  # of the pairs of the rows
-    residual: float
-    noise: float
-    residuals: Floats
-    weights: Floats
-
-
-class _PosedRows:
-    """Points of pairs with known poses, matched with the camera `values`, and their linear residuals about it."""
-
-    def __init__(self, pairs: ViewPairs, poses: Floats, values: Floats) -> None:
-        self.values, self._all, self._poses = values, pairs, poses
-        self._rows = rows = pairs.matches(pairs.poses, values, FIRST_GATE)
-        is_matched = rows.counts > 0
-        self._pairs, self._counts = np.array(pairs.pairs)[is_matched], rows.counts[is_matched]
-        self._starts = np.cumsum(self._counts) - self._counts
-        self._expected = rows.expected()
-        self._by_motion, self._by_camera = np.split(rows.jacobian(rows.first_planes, values)[:-1], [6])
-
-    def equations(self, basis: Floats, factors: Floats, gate: float) -> _PosedEquations | None:
-        """At `values` and `factors` of the columns of `basis`. None if too few pairs or points agree."""
-        if len(self._counts) < MIN_PAIRS:
-            return None
-        J = matmul(basis.T, self._by_camera)
-        r = self._rows.residuals + (factors[:, None] * J).sum(axis=0)
-        is_inside = np.abs(r) < gate
-        counts = np.add.reduceat(is_inside, self._starts, dtype=np.int64)
-        is_used = counts >= self._all.min_pair_points
-        count = int(counts[is_used].sum())
-        if count < self._all.min_points or is_used.sum() < MIN_PAIRS:
-            return None
-        weights = _robust_weights(r, self._expected) * (is_inside & np.repeat(is_used, self._counts))
-        rows = np.vstack([J, r])
-        sums = _sums_of_pairs(rows * weights, rows, self._counts)[is_used]
-        cost = float(sums[:, -1, -1].sum())
-        noise = COMMON_PIXELS * cost / count + 1e-12
-        residual = math.sqrt(cost / float(weights.sum()))
-        return _PosedEquations(
-            sums[:, :-1, :-1] / noise, sums[:, :-1, -1] / noise, is_used, residual, noise, r, weights
-        )
-
-    def fit(self, basis: Floats, residual: float) -> PosedCameraFit | None:
-        """The fit along the columns of `basis`. `residual`: that of the given camera. None if too few points agree."""
-        at, rounds = self, 0
-        while (factors := at._solution(basis)) is not None and (found := at.equations(basis, factors, LAST_GATE)):
-            fit = at._fit_of(basis, factors, found, residual)
-            change = matmul(basis, factors)
-            rounds += 1
-            if rounds == MAX_MATCHINGS or not fit.is_considerable or np.abs(change).max() < MAX_UNMATCHED:
-                return fit
-            at = _PosedRows(self._all, self._poses, at.values + change)
-        return None
-
-    def _solution(self, basis: Floats) -> Floats | None:
-        """Gauss-Newton over the factors of the columns of `basis`."""
-        prior, factors = 1.0 / POSED_PRIOR**2, np.zeros(basis.shape[1])
-        pull = matmul(basis.T, np.diag(prior), basis)
-        for step in range(GAUSS_NEWTON_STEPS):
-            gate = max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE)
-            found = self.equations(basis, factors, gate)
-            if found is None:
-                return None
-            gradient = found.gradients.sum(0) + matmul(basis.T, prior * self.values) + matmul(pull, factors)
-            change = np.clip(-matmul(inv(found.systems.sum(0) + pull), gradient), -MAX_STEP, MAX_STEP)
-            factors = factors + change
-            if gate == LAST_GATE and np.abs(change).max() < MAX_LAST_CHANGE:
-                break
-        return factors
-
-    def _fit_of(self, basis: Floats, factors: Floats, found: _PosedEquations, residual: float) -> PosedCameraFit:
-        values, to_values = self.values + matmul(basis, factors), matmul(TO_FOCAL_LENGTHS, basis)
-        covariance = matmul(to_values, self._covariance(basis, factors, found), to_values.T)
-        rows = self._rows
-        moved = matmul(FROM_FOCAL_LENGTHS, _derivatives(rows.at_first, rows.first_planes[0], self.values))
-        displacements = np.sqrt((moved**2).mean(axis=1))
-        values = matmul(TO_FOCAL_LENGTHS, values)
-        return PosedCameraFit(values, covariance, displacements, residual, found.residual, int(found.is_used.sum()))
-
-    def _covariance(self, basis: Floats, factors: Floats, found: _PosedEquations) -> Floats:
-        prior = np.diag(1.0 / POSED_PRIOR**2)
-        pull = matmul(basis.T, prior, basis)
-        at_values = matmul(basis.T, prior, self.values) + matmul(pull, factors)
-        counted = found.systems.sum(0) + pull
-        moved = matmul(self._common_errors(basis, found), inv(counted))
-        errors = _scatter(self._pairs[found.is_used], found.systems, found.gradients, at_values, pull)
-        widening = _widening(counted, self._information(basis, found) + pull)
-        return matmul(widening, errors + matmul(moved.T, moved), widening.T)
-
-    def _information(self, basis: Floats, found: _PosedEquations) -> Floats:
-        """Information by products of derivatives at planes of both views, without the noise of their normals."""
-        rows = self._rows
-        second = matmul(basis.T, rows.jacobian(rows.second_planes, self.values)[6:-1])
-        first = matmul(basis.T, self._by_camera) * (found.weights / found.noise)
-        both = (first[:, None] * second).sum(axis=2)
-        return 0.5 * (both + both.T)
-
-    def _common_errors(self, basis: Floats, found: _PosedEquations) -> Floats:
-        """Right sides of drift, along each axis of the world and linear or bent over time, and of biased depth."""
-        poses, (first, second) = self._poses, self._pairs.T
-        time = np.arange(len(poses)) / max(len(poses) - 1, 1)
-        drift = np.stack([time, 4.0 * time * (1.0 - time)])
-        to_first = poses[first, :3, :3].transpose(0, 2, 1)
-        offset = matmul(to_first, (poses[second, :3, 3] - poses[first, :3, 3])[..., None])[..., 0]
-        J = matmul(basis.T, self._by_camera) * (found.weights / found.noise)
-        effects = [(self._rows.biased()[:, None] * J).sum(axis=2)]
-        mixed = _products_of_pairs(self._by_motion, J, self._counts)
-        noise = NOISE_FACTOR * max(self._pose_noise(found) - USUAL_NOISE, 0.0)
-        for axis in range(3):
-            direction = to_first[..., axis]
-            rotation = np.hstack([direction, -np.cross(direction, offset)])
-            translation = np.hstack([0.0 * direction, direction])
-            amounts = ((rotation, ROTATION_DRIFT, 0.0), (translation, DRIFT, noise))
-            for twist, drifted, deviation in amounts:
-                shapes = np.vstack([drifted * drift, deviation * np.eye(len(poses))])
-                effect = (mixed * twist[..., None]).sum(axis=1)
-                effects.append(matmul(shapes[:, second] - shapes[:, first], effect))
-        return np.vstack(effects)
-
-    def _pose_noise(self, found: _PosedEquations) -> float:
-        """Deviation of the positions [m], by axis, from the displacements that pairs would fit better with."""
-        planes = np.vstack([self._rows.first_planes[0], found.residuals])
-        sums = _sums_of_pairs(planes * (found.weights > 0), planes, self._counts)[found.is_used]
-        squares = (sums[:, :3, 3] ** 2).sum(axis=1) / (sums[:, :3, :3] ** 2).sum(axis=(1, 2))
-        return math.sqrt(float(np.median(squares)) / MEDIAN_SQUARE / 2.0)  # two poses of a pair
 
 
 def _bias_patterns(cells: Floats, n: Floats) -> Floats:
@@ -431,7 +205,7 @@ def _bias_patterns(cells: Floats, n: Floats) -> Floats:
     return along * np.stack([np.ones_like(x), x, y, x * x, x * y, y * y])
 
 
-def _widening(counted: Floats, known: Floats) -> Floats:
+def widening(counted: Floats, known: Floats) -> Floats:
     """Factor of errors where noise of the normals counts as information, at most 1 / MIN_INFORMATION_RATIO."""
     information, axes = eigh(counted)
     white = axes / np.sqrt(information)
@@ -440,7 +214,7 @@ def _widening(counted: Floats, known: Floats) -> Floats:
     return matmul(matmul(inner / np.maximum(ratios, MIN_INFORMATION_RATIO), inner.T), counted)
 
 
-def _scatter(
+def scatter(
     pairs: NDArray[np.int64], systems: Floats, gradients: Floats, prior_gradient: Floats, prior: Floats
 ) -> Floats:
     """Covariance from the solutions without any one of the views (jackknife). `prior`: its information."""
@@ -465,11 +239,11 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
         if is_zero and is_complete:  # no pair was moved apart by a translation that is too long
             break
         # Long translations are precise. Short ones are not confused with those to the next step of a staircase.
-        chosen = _spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS)
+        chosen = spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS)
         pairs = ViewPairs(views, poses, chosen, radius=POSED_PLANE_RADIUS)
         start = pairs.poses.copy()
         start[:, :3, 3] *= not is_zero
-        found = _solve(pairs, start, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
+        found = solve_pairs(pairs, start, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
         is_complete &= found is not None and bool(found.sums.used.all())
         if found is None:
             continue
@@ -497,7 +271,7 @@ def _factor_between(pairs: ViewPairs, found: _Solution, view_count: int) -> floa
     return math.sqrt(low[0] * high[0]) if is_reported else 1.0
 
 
-class _Matches(NamedTuple):
+class Matches(NamedTuple):
     """Residuals [m] and points of second views in the first ones, coordinates first, in the order of the pairs.
 
     `first_planes`, `second_planes`: normals of the planes of the first and of the second view, seen from the first and
@@ -519,7 +293,7 @@ class _Matches(NamedTuple):
         return (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * along
 
     def weights(self) -> Floats:
-        return _robust_weights(self.residuals, self.expected())
+        return robust_weights(self.residuals, self.expected())
 
     def jacobian(self, planes: Floats, values: Floats) -> Floats:
         """Derivatives of the residuals by the motion and the camera, and the residuals, (13, n).
@@ -530,7 +304,7 @@ class _Matches(NamedTuple):
         p, (n, back) = self.points, planes
         turned = (p[1] * n[2] - p[2] * n[1], p[2] * n[0] - p[0] * n[2], p[0] * n[1] - p[1] * n[0])
         there = np.stack([p[0] / p[2], p[1] / p[2], p[2]])
-        of_camera = _derivatives(self.at_second, back, values) - _derivatives(there, n, values)
+        of_camera = derivatives(self.at_second, back, values) - derivatives(there, n, values)
         return np.stack([*turned, *n, *of_camera, self.residuals])
 
     def biased(self) -> Floats:
@@ -540,7 +314,7 @@ class _Matches(NamedTuple):
         )
 
 
-def _robust_weights(residuals: Floats, expected: Floats) -> Floats:
+def robust_weights(residuals: Floats, expected: Floats) -> Floats:
     return 1.0 / ((1.0 + (residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
 
 
@@ -565,10 +339,10 @@ class _Normal(NamedTuple):
     cost: float
     weights: float
     point_count: int
-    rows: _Matches
+    rows: Matches
 
 
-def _solve(views: ViewPairs, starts: Floats, prior: Floats) -> _Solution | None:
+def solve_pairs(views: ViewPairs, starts: Floats, prior: Floats) -> _Solution | None:
     """Gauss-Newton over the camera, with standard deviations `prior`, and the poses of all pairs."""
     values, moved = np.zeros(len(PRIOR_DEVIATIONS)), starts.copy()
     for step in range(GAUSS_NEWTON_STEPS):
@@ -604,12 +378,12 @@ def _normal_equations(views: ViewPairs, poses: Floats, values: Floats, gate: flo
     if len(rows.residuals) < views.min_points or used.sum() < MIN_PAIRS:
         return None
     weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)
-    sums = _sums_of_pairs(J * weights, J, rows.counts[used])
+    sums = sums_of_pairs(J * weights, J, rows.counts[used])
     cost = float(sums[:, -1, -1].sum())
     return _Normal(*_without_poses(sums), used, cost, float(weights.sum()), len(weights), rows)
 
 
-def _sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
+def sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
     """Symmetric matrices [pairs, n, n] of the products of rows, left and right (n, points), from the lower ones."""
     low, high = np.tril_indices(len(left))
     sums = np.empty((len(counts), len(left), len(left)))
@@ -620,7 +394,7 @@ def _sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Fl
 
 def _without_poses(sums: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
     """Normal equations of the camera without the poses, and the inverse, mixed part and gradients of each pose."""
-    inverse = _pose_inverse(sums)
+    inverse = pose_inverse(sums)
     mixed, gradients = sums[:, :6, 6:-1], sums[:, :6, -1]
     by_camera = matmul(mixed.transpose(0, 2, 1), inverse)
     system = (sums[:, 6:-1, 6:-1] - matmul(by_camera, mixed)).sum(0)
@@ -641,11 +415,11 @@ def _deviations(found: _Solution, pairs: NDArray[np.int64]) -> Floats:
     information, axes = eigh(known.sum(0) * (prior[:, None] * prior))  # relative to the prior; below 0: noise
     ratios = np.sqrt((axes**2 / (1.0 + np.maximum(information, 0.0))).sum(axis=1))
     pull = np.diag(1.0 / prior**2)
-    widening = _widening(total + pull, known.sum(0) + pull)
+    factor = widening(total + pull, known.sum(0) + pull)
     effects = matmul(inv(total + pull), rights[..., 1:].sum(0))
     prior_gradient = found.values[:size] / prior**2
-    covariance = _scatter(pairs, systems, rights[..., 0], prior_gradient, pull) + matmul(effects, effects.T)
-    spread = np.sqrt(np.diag(matmul(matmul(widening, covariance), widening.T)))
+    covariance = scatter(pairs, systems, rights[..., 0], prior_gradient, pull) + matmul(effects, effects.T)
+    spread = np.sqrt(np.diag(matmul(matmul(factor, covariance), factor.T)))
     largest = np.maximum(spread, ratios * prior)
     deviations[:size] = np.where(largest < MAX_DEVIATION_RATIO * prior, largest, math.inf)
     return deviations
@@ -664,25 +438,25 @@ def _camera_equations(found: _Solution) -> tuple[Floats, Floats, Floats]:
     counts, weights = rows.counts[found.sums.used], rows.weights()
     size = 6 + int((PRIOR_DEVIATIONS > FIXED_DEVIATION).sum())
     views = [rows.jacobian(planes, found.values)[:size] for planes in (rows.first_planes, rows.second_planes)]
-    sums = [_sums_of_pairs(J * weights, J, counts) for J in views]
+    sums = [sums_of_pairs(J * weights, J, counts) for J in views]
     removals = [
-        np.concatenate([-matmul(_pose_inverse(s), s[:, :6, 6:]), np.tile(np.eye(size - 6), (len(s), 1, 1))], axis=1)
+        np.concatenate([-matmul(pose_inverse(s), s[:, :6, 6:]), np.tile(np.eye(size - 6), (len(s), 1, 1))], axis=1)
         for s in sums
     ]
     left = removals[0].transpose(0, 2, 1)
-    known = matmul(matmul(left, _products_of_pairs(views[0] * weights, views[1], counts)), removals[1])
+    known = matmul(matmul(left, products_of_pairs(views[0] * weights, views[1], counts)), removals[1])
     causes = np.vstack([rows.residuals, rows.biased()])
-    rights = matmul(left, _products_of_pairs(views[0] * weights, causes, counts))
+    rights = matmul(left, products_of_pairs(views[0] * weights, causes, counts))
     systems = matmul(matmul(left, sums[0]), removals[0])
     return systems / noise, 0.5 * (known + known.transpose(0, 2, 1)) / noise, rights / noise
 
 
-def _products_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
+def products_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
     """Matrices [pairs, n, m] of the products of rows, left (n, points) and right (m, points)."""
     return np.add.reduceat(left[:, None] * right, np.cumsum(counts) - counts, axis=2).transpose(2, 0, 1)
 
 
-def _pose_inverse(sums: Floats) -> Floats:
+def pose_inverse(sums: Floats) -> Floats:
     return inv(sums[:, :6, :6] + 1e-3 * np.eye(6))
 
 
@@ -705,13 +479,11 @@ def _surface_of(view: CameraView, radius: int) -> _Surface:
     v, u = np.mgrid[: q.shape[0], : q.shape[1]].astype(np.float64)
     n = (2 * radius + 1) ** 2
     spread = n * radius * (radius + 1) / 3.0
-    middle, square = _window_sum(q, radius) / n, _window_sum(q * q, radius)
-    a, b = (
-        (_window_sum(q * u, radius) - u * n * middle) / spread,
-        (_window_sum(q * v, radius) - v * n * middle) / spread,
-    )
+    sums = _window_sums(np.stack([q, q * q, q * u, q * v, (q > 0).astype(np.float64)]), radius)
+    middle, square = sums[0] / n, sums[1]
+    a, b = (sums[2] - u * n * middle) / spread, (sums[3] - v * n * middle) / spread
     residual = np.sqrt(np.maximum(square / n - middle**2 - spread / n * (a * a + b * b), 0.0))
-    is_full = _window_sum((q > 0).astype(np.float64), radius) > n - 0.5
+    is_full = sums[4] > n - 0.5
     z = np.where(is_full, 1.0 / np.maximum(middle, 1e-6), 0.0)
     normals = np.stack([a * fx, b * fy, middle - a * (u - cx) - b * (v - cy)])
     normals /= np.maximum(np.sqrt((normals**2).sum(0)), 1e-12)
@@ -721,11 +493,12 @@ def _surface_of(view: CameraView, radius: int) -> _Surface:
     return _Surface(np.stack([z, *normals, x, y]).reshape(6, -1), is_plane)
 
 
-def _window_sum(values: Floats, radius: int) -> Floats:
-    """Sum over the windows of cells; windows end at the border."""
-    size = 2 * radius + 1
-    sums = np.cumsum(np.cumsum(np.pad(values, [(radius + 1, radius)] * 2), axis=0), axis=1)
-    return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
+def _window_sums(values: Floats, radius: int) -> Floats:
+    """Sums over the windows of cells of each image; windows end at the border."""
+    rows, columns = values.shape[1:]
+    padded = np.pad(values, ((0, 0), (radius, radius), (radius, radius)))
+    vertical = sum((padded[:, k : k + rows] for k in range(1, 2 * radius + 1)), padded[:, :rows].copy())
+    return sum((vertical[..., k : k + columns] for k in range(1, 2 * radius + 1)), vertical[..., :columns].copy())
 
 
 def _scales(values: Floats) -> tuple[float, float]:
@@ -741,7 +514,7 @@ def _rays(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats]:
     return x * factor, y * factor
 
 
-def _derivatives(cells: Floats, n: Floats, values: Floats) -> Floats:
+def derivatives(cells: Floats, n: Floats, values: Floats) -> Floats:
     """Derivatives of n . point by the parameters, float64 [6, points], at rays (x, y) and depth."""
     x, y, z = cells
     (x_scale, y_scale), square = _scales(values), x * x + y * y
