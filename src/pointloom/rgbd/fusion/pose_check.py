@@ -31,6 +31,7 @@ SAMPLED_WIDTH = 80  # [px] of the sampled depth maps
 # fraction of 0.15 is 0.010 in a frame, and 0.0032 in the median of 16 frames.
 RAY_STEP = 2
 AVERAGED_SIDE = 4  # pixels of a cell of the sampled inverse depth, per side
+MIN_DEPTH = 1e-12  # [m] sums of larger inverses are finite in 32 bits
 CAMERA_RANGE = 2.0  # farthest inverse depth in depth_max: depth in a unit that is too small is farther than that
 RELATIVE_DEPTH_NOISE = 0.02  # relative depth noise
 # Fraction of the depth off the surface, as the median over frames, and of single frames, of which MAX_OFF_FRAMES are
@@ -138,12 +139,12 @@ class PoseCheck:
         return float(np.ptp(ends, axis=0).max()) if ends else 0.0
 
     def _in_meters(self, depth: NDArray[Any]) -> NDArray[np.float32]:
-        with np.errstate(over="ignore"):  # infinite is invalid, too
+        with np.errstate(all="ignore"):  # what is infinite or no number is invalid, too
             z = depth.astype(np.float32)
-        return z / np.float32(self._unit) if depth.dtype.kind in "iu" else z
+            return z / np.float32(self._unit) if depth.dtype.kind in "iu" else z
 
     def _is_valid(self, z: NDArray[np.float32], depths: float = 1.0) -> NDArray[np.bool_]:
-        return np.isfinite(z) & (z > 0) & (z <= depths * self.depth_max)
+        return np.isfinite(z) & (z > MIN_DEPTH) & (z <= min(depths * self.depth_max, float(np.finfo(np.float32).max)))
 
     @property
     def _views(self) -> list[CameraView]:

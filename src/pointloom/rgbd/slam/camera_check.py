@@ -171,9 +171,9 @@ def undetermined_values(fits: Sequence[PosedCameraFit], intrinsic: PinholeCamera
         limits = np.where(fit.deviations > 0, np.minimum(limits, POSED_SIGMAS * fit.deviations), limits)
     focal, _, u, v, _, depth = (limits * (limits * fits[0].displacements > MAX_UNDETECTED)).tolist()
     values = [
-        f"the focal length up to {100 * focal:.2g}%" if focal else None,
-        f"the principal point up to {max(u * intrinsic.fx, v * intrinsic.fy):.2g} px" if u or v else None,
-        f"the depth unit up to {100 * depth:.2g}%" if depth else None,
+        f"the focal length up to {100 * focal:.1f}%" if focal else None,
+        f"the principal point up to {max(u * intrinsic.fx, v * intrinsic.fy):.0f} px" if u or v else None,
+        f"the depth unit up to {100 * depth:.1f}%" if depth else None,
     ]
     known = ", ".join(failed(*values))
     return f"not determined by the frames and poses, so errors may not be reported: {known}" if known else None
