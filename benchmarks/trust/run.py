@@ -55,6 +55,7 @@ OWN = {
     "lidar": 660.0,
     "stream": 400.0,
     "cameras": 300.0,
+    "posed_cameras": 260.0,
     "tracking": 50.0,
     "maps": 270.0,
     "registration": 160.0,

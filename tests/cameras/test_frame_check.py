@@ -111,6 +111,11 @@ def test_other_sensors_have_no_unit():
     assert warnings_of([(structured_light(1000, 0.0006), None)] * 3, camera=wide) == ()
 
 
+def test_steps_of_depth_do_not_depend_on_the_integer_type():
+    depth = structured_light(1000)
+    assert depth_step(depth) == depth_step(depth.astype(np.int32)) > 0
+
+
 def test_a_camera_of_other_images_is_reported():
     assert why_implausible(CAMERA) == ""
     swapped = loom.PinholeCameraIntrinsic(640, 480, 525, 525, 239.5, 319.5)

@@ -151,7 +151,13 @@ def why_implausible(camera: PinholeCameraIntrinsic) -> str:
 
 def depth_step(depth: NDArray[Any]) -> float:
     """Median of (next value - value) / value^2 of an integer depth image [1/unit]. NaN if this is not constant."""
-    values = np.flatnonzero(np.bincount(depth.ravel()))[1:-1].astype(np.float64)  # without none and the largest
+    if depth.dtype == np.uint16:  # as below, without a conversion to 64 bits
+        is_seen = np.zeros(65_536, bool)
+        is_seen[depth.ravel()] = True
+        seen = np.flatnonzero(is_seen)
+    else:
+        seen = np.flatnonzero(np.bincount(depth.ravel()))
+    values = seen[1:-1].astype(np.float64)  # without none and the largest
     values = values[values < 60_000]
     if len(values) < MIN_STEPS:
         return np.nan

@@ -10,8 +10,8 @@ import pointloom as loom
 from benchmarks.room_loops import room_loop_sequence
 from pointloom.core.errors import FileError
 from pointloom.core.up_axis import rotation_between
-from pointloom.datasets.scenes.room import room_sequence, surface_errors
-from pointloom.io.frames.frames import READ_AHEAD
+from pointloom.datasets.scenes.room import look_along, prime_sense_camera, room_sequence, room_views, surface_errors
+from pointloom.io.frames.frames import READ_AHEAD, measured_fractions
 from pointloom.meshing.volume.surface_weights import FRAME_THRESHOLDS
 from pointloom.registration.trajectories.up_direction import up_of_poses
 from pointloom.rgbd.fusion.pose_check import MAX_DISPLACED, MAX_FRAMES, PoseCheck
@@ -196,6 +196,62 @@ def test_a_wrong_camera_is_not_hidden_by_refined_poses():
     frames = Loop(room_loop_sequence(120, width=80, height=60), np.arange(0, 60, 3), fx=1.1, fy=1.1)
     result = loom.rgbd.fuse(frames, voxel_size=VOXEL, refine=True)
     assert result.camera.factor * 1.1 == pytest.approx(1.0, abs=0.03) and not result.camera.reliable
+
+
+class Translating(Posed):
+    """Frames of a camera that moves through the room without rotation, with another focal length or depth unit."""
+
+    def __init__(self, step, direction, focal=1.0, unit=1.0):
+        poses = [look_along(np.array([1.2, 1.2, 1.3]) + k * np.array(step), direction) for k in range(12)]
+        super().__init__(room_views(poses, prime_sense_camera(80, 60), noise=True, texture=False), np.array(poses))
+        K = self.intrinsic
+        self.depth_scale *= unit
+        self.intrinsic = dataclasses.replace(K, fx=focal * K.fx, fy=focal * K.fy)
+
+
+@pytest.mark.parametrize(("focal", "unit"), [(1.0, 1.0), (0.9, 1.0), (1.1, 1.0), (1.0, 1.05), (1.0, 0.95)])
+@pytest.mark.parametrize(
+    ("step", "direction"), [((0, 0.08, 0), (1, 0.3, -0.3)), ((0.05, 0.05, 0.02), (0.2, 1, -0.5))], ids=["y", "diagonal"]
+)
+def test_a_camera_that_only_translates_is_checked(device, step, direction, focal, unit):
+    """All values together are hardly determined, each alone is."""
+    result = loom.rgbd.fuse(Translating(step, direction, focal, unit), voxel_size=VOXEL, device=device)
+    assert result.reliable == (focal == unit == 1.0)
+    assert result.camera.factor * focal == pytest.approx(1.0, abs=0.02)
+    assert result.depth_factor == pytest.approx(unit, abs=0.02)
+
+
+@pytest.mark.parametrize("size", [0.02, 0.08])
+def test_values_that_the_frames_do_not_determine_are_noted(size):
+    """Translations of 0.2 and 0.9 m: the surface of a wrong unit is displaced by up to 3 cm and more."""
+    result = loom.rgbd.fuse(Translating((0, size, 0), (1, 0.3, -0.3)), voxel_size=VOXEL)
+    (note,) = result.notes
+    limit = float(note.rpartition("the depth unit up to ")[2].rstrip("%")) / 100
+    assert (limit > 0.06) == (size == 0.02) and result.reliable
+    assert note.startswith("not determined by the frames and poses") and result.to_dict()["notes"] == [note]
+    assert loom.rgbd.fuse(Wall(2), voxel_size=VOXEL).notes == (
+        "the camera and the depth unit are not checked: too few sampled frames overlap at the given poses",
+    )
+
+
+@pytest.mark.parametrize("count", [1, 15, 16, 17, 40, 163])
+def test_a_known_number_of_frames_gives_the_same_sample(count):
+    known, unknown = (PoseCheck(Wall(1).intrinsic, 1000.0, 4.0, number) for number in (count, 0))
+    for k in range(count):
+        for check in (known, unknown):
+            check.add(np.full((24, 32), k, np.uint16), None, np.eye(4), np.eye(4))
+    assert list(known._samples) == list(unknown._samples) and len(known._samples) == min(count, MAX_FRAMES)
+
+
+@pytest.mark.parametrize("kind", [np.uint16, np.int32, np.float32])
+@pytest.mark.parametrize("farthest", [1000.0, 1999.5, np.inf])
+def test_fractions_of_measured_depth_are_those_of_all_pixels(kind, farthest):
+    depth = np.random.default_rng(0).integers(0, 3000, (60, 80)).astype(kind)
+    depth[:20] = 0
+    if depth.dtype.kind == "f":
+        depth[0, :40], depth[1] = np.nan, np.inf
+    measured = depth > 0
+    assert measured_fractions(depth, farthest) == (np.mean(measured), np.mean(measured & (depth <= farthest)))
 
 
 def test_short_windows_of_noisy_poses_determine_no_camera_and_are_accepted(device):

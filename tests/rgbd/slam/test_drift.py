@@ -20,9 +20,9 @@ from pointloom.rgbd.odometry.camera_fit import (
     _corrected_normals,
     _rays,
     fit_camera,
-    fit_posed_camera,
     rotated_pairs,
 )
+from pointloom.rgbd.odometry.posed_camera import fit_posed_camera
 from pointloom.rgbd.odometry.results import OdometryResult
 from pointloom.rgbd.slam.camera_check import assess_camera, judge_posed_camera
 from pointloom.rgbd.slam.focal_check import check_focal

@@ -37,11 +37,12 @@ class FuseReport(FramesReport):
 
 def fusion_fields(fields: Fields, seconds: dict[str, float], peak: int, files: Iterable[str]) -> Fields:
     """Fields of a FusionResult with cost and written files."""
-    *fields, (memory, volume) = fields
+    at = next(k for k, (name, _) in enumerate(fields) if name == "memory")  # notes follow
     return [
-        *fields,
+        *fields[:at],
         ("seconds", format_seconds(seconds)),
-        (memory, f"{volume}, {format_bytes(peak)} at most"),
+        ("memory", f"{fields[at][1]}, {format_bytes(peak)} at most"),
+        *fields[at + 1 :],
         ("files", ", ".join(files) or "none"),
     ]
 

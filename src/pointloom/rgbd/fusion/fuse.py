@@ -102,7 +102,7 @@ def fuse(
     edge, cut = check_sizes(voxel_size, truncation)
     sizes = {"voxel_size": edge, "truncation": cut, "device": target_device}
     fold = (_Refined if refine else _AsGiven)(frames, max_depth, sizes)
-    check = PoseCheck(frames.intrinsic, frames.depth_scale, max_depth)
+    check = PoseCheck(frames.intrinsic, frames.depth_scale, max_depth, count)
     poses, fractions = _integrate_frames(frames, fold, check, ahead, report_progress, clock)
     threshold = min_weight(len(poses)) if weight_threshold is None else weight_threshold
     report_progress("extract", 0, 0)
@@ -116,7 +116,7 @@ def fuse(
         "fractions_off": fractions_off, "seen_extent": check.seen_extent(),
         "fraction_displaced": check.fraction_displaced(edge),
         "camera": camera, "depth_factor": depth_factor, "depth_deviation": depth_deviation,
-        "source_warnings": (*source_warnings(frames), *check.images.warnings), "notes": check.images.notes,
+        "source_warnings": (*source_warnings(frames), *check.images.warnings), "notes": check.notes,
     }  # fmt: skip
     clock.stop("check")
     return FusionResult(mesh, fold.volume, poses, max_depth, *fractions, threshold, fold.refinement, **checks)

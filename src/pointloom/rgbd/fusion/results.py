@@ -42,7 +42,8 @@ class FusionResult(Assessed):
         depth_deviation: Standard deviation of `depth_factor`. 0 if unknown.
         fraction_displaced: Fraction of the pairs of sampled frames whose poses displace the surface by more than 3 cm
             and a voxel. 0 if unknown.
-        notes: Remarks that do not concern reliability: colors that are not exactly registered to depth.
+        notes: Remarks that do not concern reliability: colors that are not exactly registered to depth, and values of
+            the camera and the depth unit that the frames do not determine.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -55,6 +56,7 @@ class FusionResult(Assessed):
           mesh    315 vertices, 560 triangles
           bounds  [-0.5000, -0.3500, 1.0000] to [0.5000, 0.3500, 1.0000]
           memory  782.0 KiB of volume
+          note    the camera and the depth unit are not checked: too few sampled frames overlap at the given poses
     """
 
     mesh: TriangleMesh

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -54,22 +55,10 @@ FIXED_DEVIATION = 1e-9  # deviation of a parameter that is not estimated
 # radial distortion, log fx / fy and log depth. They keep undetermined parameters near 0. Pairs of free poses determine
 # no factor of the depth, and fx / fy only together with the rotations.
 PRIOR_DEVIATIONS = np.array([0.3, 0.15, 0.15, 0.3, FIXED_DEVIATION, FIXED_DEVIATION])
-
-# Deviations before the fit of a camera to given poses.
-POSED_PRIOR = np.array([0.3, 0.15, 0.15, 0.2, 0.1, 0.3])
-MAX_POSED_PAIRS, MAX_POSED_DISTANCE, POSED_CELL_STEP = 48, 2.0, 4  # pairs, [m] between cameras, every n-th cell
-# Errors of correct recordings that all frames have in common: drift of the poses over the recording [m, rad], and depth
-# that is off by DEPTH_BIAS z^2 [1/m] in patterns of low order over the image. Both are added to the scatter of frames.
-# Poses of KinectFusion and the depth of a Kinect: without them, 75 frames of a kitchen have fitted values of up to 50
-# deviations, with them of up to 3 (chosen on frames 0-299, nothing of it is held out, 2026-11-30).
-DRIFT, ROTATION_DRIFT, DEPTH_BIAS = 0.005, 0.0025, 0.0012
-MEDIAN_SQUARE = 0.6  # median of a squared deviation in one to three directions, by its variance
-# Noise of positions [m] that the scatter covers: a kitchen has up to 0.0045. More noise also biases the fit: it hides
-# in the depth of motions that the frames hardly contain: bias and scatter are below NOISE_FACTOR times the excess
-# (chosen on sites of seed 301, verified on seeds 302 and 303, 2026-11-30).
-USUAL_NOISE, NOISE_FACTOR = 0.004, 4.0
 MIN_INFORMATION_RATIO = 0.02  # of information without the noise of normals to that with it: less is none
 BIAS_RAY = 0.5  # ray x, y at which a pattern has its value
+# Depth of correct recordings is off by up to DEPTH_BIAS z^2 [1/m], in patterns of low order over the image.
+DEPTH_BIAS = 0.0012
 
 
 class CameraView(NamedTuple):
@@ -95,32 +84,12 @@ class CameraFit(NamedTuple):
     poses: Floats
 
 
-class PosedCameraFit(NamedTuple):
-    """Corrections of a camera with given poses: log fx, log fy, principal point (u, v) in focal lengths, radial
-    distortion of rays, and log depth.
-
-    `values` and `displacements` are float64 [6], `covariance` is float64 [6, 6]. A correction of 1 moves the surface by
-    the displacement [m], the root mean square along the normals. `residual` and `fitted_residual`: as in CameraFit.
-    """
-
-    values: Floats
-    covariance: Floats
-    displacements: Floats
-    residual: float
-    fitted_residual: float
-    pair_count: int
-
-
 def rotated_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
     """Index pairs of poses that are rotated against each other and near, spread over the path."""
-    return _spread_pairs(poses, MIN_ROTATION, MAX_DISTANCE, len(poses))
+    return spread_pairs(poses, MIN_ROTATION, MAX_DISTANCE, len(poses))
 
 
-def _posed_pairs(poses: Sequence[Floats] | Floats) -> list[tuple[int, int]]:
-    return _spread_pairs(poses, 0.0, MAX_POSED_DISTANCE, len(poses), MAX_POSED_PAIRS)
-
-
-def _spread_pairs(
+def spread_pairs(
     poses: Sequence[Floats] | Floats, min_rotation: float, max_distance: float, max_gap: int, max_pairs: int = MAX_PAIRS
 ) -> list[tuple[int, int]]:
     T = np.array(poses, np.float64).reshape(-1, 4, 4)
@@ -177,7 +146,12 @@ class ViewPairs:
         self._pair = np.repeat(np.arange(len(self.pairs)), self._counts)
         self.min_pair_points, self.min_points = (4 * count // cell_step**2 for count in (MIN_PAIR_POINTS, MIN_POINTS))
 
-    def matches(self, poses: Floats, values: Floats, gate: float) -> _Matches:
+    @cached_property
+    def given(self) -> Matches:
+        """Matches at the given poses and camera."""
+        return self.matches(self.poses, np.zeros(len(PRIOR_DEVIATIONS)), FIRST_GATE)
+
+    def matches(self, poses: Floats, values: Floats, gate: float) -> Matches:
         """Points of second views that agree with the first ones, of pairs with enough of them."""
         z, x, y = self._second[0] * math.exp(values[5]), *_rays(self._second[4], self._second[5], values)
         T = np.repeat(poses[:, :3].reshape(-1, 12).T, self._counts, axis=1)
@@ -208,136 +182,20 @@ class ViewPairs:
         at_first = np.stack([x_first, y_first, z_first])[:, keep]
         first_planes, second_planes = np.stack([n, back])[..., keep], np.stack([forth, m])[..., keep]
         counts = np.where(is_enough, counts, 0)
-        return _Matches(r[keep], p[:, keep], first_planes, second_planes, at_first, at_second, counts)
+        return Matches(r[keep], p[:, keep], first_planes, second_planes, at_first, at_second, counts)
 
 
 def fit_camera(views: ViewPairs) -> CameraFit | None:
     """Fit the camera to pairs of views with approximate poses. None if too few agree."""
-    given = _solve(views, views.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if views.pairs else None
+    given = solve_pairs(views, views.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if views.pairs else None
     if given is None:
         return None
-    found = _solve(views, given.poses, PRIOR_DEVIATIONS)
+    found = solve_pairs(views, given.poses, PRIOR_DEVIATIONS)
     if found is None:
         return None
     deviations = _deviations(found, np.array(views.pairs)[found.sums.used])
     values = np.where(np.isfinite(deviations), found.values, 0.0)
     return CameraFit(values, deviations, given.residual, found.residual, views.pairs, found.poses)
-
-
-def posed_pairs(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> ViewPairs:
-    """Pairs of views with known poses T_world_camera."""
-    return ViewPairs(views, poses, _posed_pairs(poses), POSED_CELL_STEP, POSED_PLANE_RADIUS)
-
-
-def fit_posed_camera(
-    views: Sequence[CameraView], poses: Sequence[Floats] | Floats, pairs: ViewPairs | None = None
-) -> PosedCameraFit | None:
-    """Fit the camera and the depth to views with known poses T_world_camera. None if too few agree. `pairs`: theirs.
-
-    The poses are not corrected: free poses hide errors of the camera, and biased depth then looks like another camera.
-    The deviations contain the scatter over frames (jackknife) and the effect of drift and biased depth.
-    """
-    pairs = posed_pairs(views, poses) if pairs is None else pairs
-    values = np.zeros(len(POSED_PRIOR))
-    given = found = _posed_equations(pairs, values, FIRST_GATE) if pairs.pairs else None
-    for step in range(GAUSS_NEWTON_STEPS):
-        gate = max(FIRST_GATE * GATE_FACTOR**step, LAST_GATE)
-        found = _posed_equations(pairs, values, gate) if step else given
-        if found is None:
-            return None
-        change = np.clip(-matmul(found.inverse, found.gradients.sum(0) + values / POSED_PRIOR**2), -MAX_STEP, MAX_STEP)
-        values = values + change
-        if gate == LAST_GATE and np.abs(change).max() < MAX_LAST_CHANGE:
-            break
-    found = _posed_equations(pairs, values, LAST_GATE, with_motion=True)
-    if found is None or given is None:
-        return None
-    given = _posed_equations(pairs, 0.0 * values, LAST_GATE) or given
-    widening = found.widening(values)
-    covariance = _scatter(found.pairs, found.systems, found.gradients, values, POSED_PRIOR) + found.common_errors(
-        np.array(poses), values
-    )
-    covariance = matmul(matmul(widening, covariance), widening.T)
-    to_focal_lengths = np.eye(len(values))[[0, 0, 1, 2, 3, 5]]
-    to_focal_lengths[:2, 4] = 0.5, -0.5
-    rows, back = found.rows, inv(to_focal_lengths)
-    moved = matmul(back.T, _derivatives(rows.at_first, rows.first_planes[0], values))
-    values = matmul(to_focal_lengths, values)
-    covariance = matmul(matmul(to_focal_lengths, covariance), to_focal_lengths.T)
-    displacements = np.sqrt((moved**2).mean(axis=1))
-    return PosedCameraFit(values, covariance, displacements, given.residual, found.residual, len(found.pairs))
-
-
-def displacements_of_poses(pairs: ViewPairs) -> Floats:
-    """Displacement of the surface [m] by the error of the poses of each pair that can be aligned.
-
-    It is the root mean square along the normals.
-    """
-    found = _solve(pairs, pairs.poses, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
-    if found is None:
-        return np.empty(0)
-    rows, used = found.sums.rows, found.sums.used
-    counts, p, n = rows.counts[used], rows.points, rows.first_planes[0]
-    change = np.array([matmul(a, invert_pose(b)) for a, b in zip(pairs.poses[used], found.poses[used], strict=True)])
-    T = np.repeat((change - np.eye(4))[:, :3].reshape(-1, 12).T, counts, axis=1)
-    moved = [row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3] for row in (T[:4], T[4:8], T[8:])]
-    squares = (moved[0] * n[0] + moved[1] * n[1] + moved[2] * n[2]) ** 2
-    return np.sqrt(np.add.reduceat(squares, np.cumsum(counts) - counts) / counts)
-
-
-class _PosedEquations(NamedTuple):
-    """Normal equations of each pair by the camera and by the motion, in units of the noise, and their `mixed` products.
-
-    `inverse` is that of the matrix of all pairs and the prior.
-    """
-
-    systems: Floats
-    gradients: Floats
-    mixed: Floats
-    inverse: Floats
-    pairs: NDArray[np.int64]
-    residual: float
-    noise: float
-    rows: _Matches
-
-    def widening(self, values: Floats) -> Floats:
-        """Factor of errors where noise of the normals counts as information, at most 1 / MIN_INFORMATION_RATIO."""
-        rows = self.rows
-        first, second = (rows.jacobian(planes, values)[6:] for planes in (rows.first_planes, rows.second_planes))
-        weights, used = rows.weights() / self.noise, rows.counts[rows.counts > 0]
-        both = 0.5 * (_sums_of_pairs(first * weights, second, used) + _sums_of_pairs(second * weights, first, used))
-        prior = np.diag(1.0 / POSED_PRIOR**2)
-        return _widening(self.systems.sum(0) + prior, both.sum(0)[:-1, :-1] + prior)
-
-    def common_errors(self, poses: Floats, values: Floats) -> Floats:
-        """Covariance of drift, along each axis of the world and linear or bent over time, and of biased depth."""
-        first, second = self.pairs.T
-        time = np.arange(len(poses)) / max(len(poses) - 1, 1)
-        drift = np.stack([time, 4.0 * time * (1.0 - time)])
-        to_first = poses[first, :3, :3].transpose(0, 2, 1)
-        offset = matmul(to_first, (poses[second, :3, 3] - poses[first, :3, 3])[..., None])[..., 0]
-        rows = self.rows
-        J = rows.jacobian(rows.first_planes, values)[6:-1]
-        effects = [matmul(rows.biased(), (J * (rows.weights() / self.noise)).T)]
-        noise = NOISE_FACTOR * max(self.pose_noise() - USUAL_NOISE, 0.0)
-        for axis in range(3):
-            direction = to_first[..., axis]
-            rotation = np.hstack([direction, -np.cross(direction, offset)])
-            translation = np.hstack([0.0 * direction, direction])
-            amounts = ((rotation, ROTATION_DRIFT, 0.0), (translation, DRIFT, noise))
-            for twist, drifted, deviation in amounts:
-                shapes = np.vstack([drifted * drift, deviation * np.eye(len(poses))])
-                effect = (self.mixed * twist[..., None]).sum(axis=1)
-                effects.append(matmul(shapes[:, second] - shapes[:, first], effect))
-        moved = matmul(np.vstack(effects), self.inverse)
-        return matmul(moved.T, moved)
-
-    def pose_noise(self) -> float:
-        """Deviation of the positions [m], by axis, from the displacements that pairs would fit better with."""
-        planes = np.vstack([self.rows.first_planes[0], self.rows.residuals])
-        sums = _sums_of_pairs(planes, planes, self.rows.counts[self.rows.counts > 0])
-        squares = (sums[:, :3, 3] ** 2).sum(axis=1) / (sums[:, :3, :3] ** 2).sum(axis=(1, 2))
-        return math.sqrt(float(np.median(squares)) / MEDIAN_SQUARE / 2.0)  # two poses of a pair
 
 
 def _bias_patterns(cells: Floats, n: Floats) -> Floats:
@@ -347,7 +205,7 @@ def _bias_patterns(cells: Floats, n: Floats) -> Floats:
     return along * np.stack([np.ones_like(x), x, y, x * x, x * y, y * y])
 
 
-def _widening(counted: Floats, known: Floats) -> Floats:
+def widening(counted: Floats, known: Floats) -> Floats:
     """Factor of errors where noise of the normals counts as information, at most 1 / MIN_INFORMATION_RATIO."""
     information, axes = eigh(counted)
     white = axes / np.sqrt(information)
@@ -356,36 +214,16 @@ def _widening(counted: Floats, known: Floats) -> Floats:
     return matmul(matmul(inner / np.maximum(ratios, MIN_INFORMATION_RATIO), inner.T), counted)
 
 
-def _scatter(
-    pairs: NDArray[np.int64], systems: Floats, gradients: Floats, values: Floats, prior_deviations: Floats
+def scatter(
+    pairs: NDArray[np.int64], systems: Floats, gradients: Floats, prior_gradient: Floats, prior: Floats
 ) -> Floats:
-    """Covariance from the solutions without any one of the views (jackknife)."""
-    views, prior = np.unique(pairs), 1.0 / prior_deviations**2
+    """Covariance from the solutions without any one of the views (jackknife). `prior`: its information."""
+    views = np.unique(pairs)
     kept = np.array([(pairs != view).all(axis=1) for view in views], np.float64)
     remaining = matmul(kept, systems.reshape(len(pairs), -1)).reshape(-1, *systems.shape[1:])
-    changes = -matmul(inv(remaining + np.diag(prior)), (matmul(kept, gradients) + values * prior)[..., None])[..., 0]
+    changes = -matmul(inv(remaining + prior), (matmul(kept, gradients) + prior_gradient)[..., None])[..., 0]
     changes -= changes.mean(axis=0)
     return (len(views) - 1) / len(views) * matmul(changes.T, changes)
-
-
-def _posed_equations(
-    views: ViewPairs, values: Floats, gate: float, with_motion: bool = False
-) -> _PosedEquations | None:
-    """The equations at a camera, `with_motion` with the `mixed` products. None if too few pairs or points agree."""
-    rows = views.matches(views.poses, values, gate)
-    used = rows.counts > 0
-    if len(rows.residuals) < views.min_points or used.sum() < MIN_PAIRS:
-        return None
-    weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)[0 if with_motion else 6 :]
-    sums = _sums_of_pairs(J * weights, J, rows.counts[used])
-    cost = float(sums[:, -1, -1].sum())
-    noise = COMMON_PIXELS * cost / len(weights) + 1e-12
-    sums = sums / noise
-    camera = slice(-len(values) - 1, -1)
-    systems, gradients, mixed = sums[:, camera, camera], sums[:, camera, -1], sums[:, : camera.start, camera]
-    inverse = inv(systems.sum(0) + np.diag(1.0 / POSED_PRIOR**2))
-    residual = math.sqrt(cost / float(weights.sum()))
-    return _PosedEquations(systems, gradients, mixed, inverse, np.array(views.pairs)[used], residual, noise, rows)
 
 
 def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) -> float:
@@ -401,11 +239,11 @@ def depth_factor(views: Sequence[CameraView], poses: Sequence[Floats] | Floats) 
         if is_zero and is_complete:  # no pair was moved apart by a translation that is too long
             break
         # Long translations are precise. Short ones are not confused with those to the next step of a staircase.
-        chosen = _spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS)
+        chosen = spread_pairs(poses, 0.0, math.inf, gap, MAX_FACTOR_PAIRS)
         pairs = ViewPairs(views, poses, chosen, radius=POSED_PLANE_RADIUS)
         start = pairs.poses.copy()
         start[:, :3, 3] *= not is_zero
-        found = _solve(pairs, start, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
+        found = solve_pairs(pairs, start, np.full(len(PRIOR_DEVIATIONS), FIXED_DEVIATION)) if pairs.pairs else None
         is_complete &= found is not None and bool(found.sums.used.all())
         if found is None:
             continue
@@ -433,7 +271,7 @@ def _factor_between(pairs: ViewPairs, found: _Solution, view_count: int) -> floa
     return math.sqrt(low[0] * high[0]) if is_reported else 1.0
 
 
-class _Matches(NamedTuple):
+class Matches(NamedTuple):
     """Residuals [m] and points of second views in the first ones, coordinates first, in the order of the pairs.
 
     `first_planes`, `second_planes`: normals of the planes of the first and of the second view, seen from the first and
@@ -448,12 +286,14 @@ class _Matches(NamedTuple):
     at_second: Floats
     counts: NDArray[np.int64]  # of each pair
 
-    def weights(self) -> Floats:
-        """Robust weights. The noise is that of depth, so that they do not depend on how much the rays are stretched."""
+    def expected(self) -> Floats:
+        """Expected residuals [m]. The noise is that of depth: it does not depend on how much the rays are stretched."""
         (x, y, z), n = self.at_first, self.first_planes[0]
         along = np.maximum(np.abs(n[0] * x + n[1] * y + n[2]), MIN_COSINE)
-        expected = (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * along
-        return 1.0 / ((1.0 + (self.residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
+        return (DEPTH_NOISE + DEPTH_NOISE_GROWTH * z**2) * along
+
+    def weights(self) -> Floats:
+        return robust_weights(self.residuals, self.expected())
 
     def jacobian(self, planes: Floats, values: Floats) -> Floats:
         """Derivatives of the residuals by the motion and the camera, and the residuals, (13, n).
@@ -464,7 +304,7 @@ class _Matches(NamedTuple):
         p, (n, back) = self.points, planes
         turned = (p[1] * n[2] - p[2] * n[1], p[2] * n[0] - p[0] * n[2], p[0] * n[1] - p[1] * n[0])
         there = np.stack([p[0] / p[2], p[1] / p[2], p[2]])
-        of_camera = _derivatives(self.at_second, back, values) - _derivatives(there, n, values)
+        of_camera = derivatives(self.at_second, back, values) - derivatives(there, n, values)
         return np.stack([*turned, *n, *of_camera, self.residuals])
 
     def biased(self) -> Floats:
@@ -472,6 +312,10 @@ class _Matches(NamedTuple):
         return DEPTH_BIAS * (
             _bias_patterns(self.at_second, self.first_planes[1]) - _bias_patterns(self.at_first, self.first_planes[0])
         )
+
+
+def robust_weights(residuals: Floats, expected: Floats) -> Floats:
+    return 1.0 / ((1.0 + (residuals / expected / OUTLIER_RATIO) ** 2) ** 2 * expected**2)
 
 
 class _Solution(NamedTuple):
@@ -495,10 +339,10 @@ class _Normal(NamedTuple):
     cost: float
     weights: float
     point_count: int
-    rows: _Matches
+    rows: Matches
 
 
-def _solve(views: ViewPairs, starts: Floats, prior: Floats) -> _Solution | None:
+def solve_pairs(views: ViewPairs, starts: Floats, prior: Floats) -> _Solution | None:
     """Gauss-Newton over the camera, with standard deviations `prior`, and the poses of all pairs."""
     values, moved = np.zeros(len(PRIOR_DEVIATIONS)), starts.copy()
     for step in range(GAUSS_NEWTON_STEPS):
@@ -534,12 +378,12 @@ def _normal_equations(views: ViewPairs, poses: Floats, values: Floats, gate: flo
     if len(rows.residuals) < views.min_points or used.sum() < MIN_PAIRS:
         return None
     weights, J = rows.weights(), rows.jacobian(rows.first_planes, values)
-    sums = _sums_of_pairs(J * weights, J, rows.counts[used])
+    sums = sums_of_pairs(J * weights, J, rows.counts[used])
     cost = float(sums[:, -1, -1].sum())
     return _Normal(*_without_poses(sums), used, cost, float(weights.sum()), len(weights), rows)
 
 
-def _sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
+def sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
     """Symmetric matrices [pairs, n, n] of the products of rows, left and right (n, points), from the lower ones."""
     low, high = np.tril_indices(len(left))
     sums = np.empty((len(counts), len(left), len(left)))
@@ -550,7 +394,7 @@ def _sums_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Fl
 
 def _without_poses(sums: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
     """Normal equations of the camera without the poses, and the inverse, mixed part and gradients of each pose."""
-    inverse = _pose_inverse(sums)
+    inverse = pose_inverse(sums)
     mixed, gradients = sums[:, :6, 6:-1], sums[:, :6, -1]
     by_camera = matmul(mixed.transpose(0, 2, 1), inverse)
     system = (sums[:, 6:-1, 6:-1] - matmul(by_camera, mixed)).sum(0)
@@ -571,10 +415,11 @@ def _deviations(found: _Solution, pairs: NDArray[np.int64]) -> Floats:
     information, axes = eigh(known.sum(0) * (prior[:, None] * prior))  # relative to the prior; below 0: noise
     ratios = np.sqrt((axes**2 / (1.0 + np.maximum(information, 0.0))).sum(axis=1))
     pull = np.diag(1.0 / prior**2)
-    widening = _widening(total + pull, known.sum(0) + pull)
+    factor = widening(total + pull, known.sum(0) + pull)
     effects = matmul(inv(total + pull), rights[..., 1:].sum(0))
-    covariance = _scatter(pairs, systems, rights[..., 0], found.values[:size], prior) + matmul(effects, effects.T)
-    spread = np.sqrt(np.diag(matmul(matmul(widening, covariance), widening.T)))
+    prior_gradient = found.values[:size] / prior**2
+    covariance = scatter(pairs, systems, rights[..., 0], prior_gradient, pull) + matmul(effects, effects.T)
+    spread = np.sqrt(np.diag(matmul(matmul(factor, covariance), factor.T)))
     largest = np.maximum(spread, ratios * prior)
     deviations[:size] = np.where(largest < MAX_DEVIATION_RATIO * prior, largest, math.inf)
     return deviations
@@ -593,25 +438,25 @@ def _camera_equations(found: _Solution) -> tuple[Floats, Floats, Floats]:
     counts, weights = rows.counts[found.sums.used], rows.weights()
     size = 6 + int((PRIOR_DEVIATIONS > FIXED_DEVIATION).sum())
     views = [rows.jacobian(planes, found.values)[:size] for planes in (rows.first_planes, rows.second_planes)]
-    sums = [_sums_of_pairs(J * weights, J, counts) for J in views]
+    sums = [sums_of_pairs(J * weights, J, counts) for J in views]
     removals = [
-        np.concatenate([-matmul(_pose_inverse(s), s[:, :6, 6:]), np.tile(np.eye(size - 6), (len(s), 1, 1))], axis=1)
+        np.concatenate([-matmul(pose_inverse(s), s[:, :6, 6:]), np.tile(np.eye(size - 6), (len(s), 1, 1))], axis=1)
         for s in sums
     ]
     left = removals[0].transpose(0, 2, 1)
-    known = matmul(matmul(left, _products_of_pairs(views[0] * weights, views[1], counts)), removals[1])
+    known = matmul(matmul(left, products_of_pairs(views[0] * weights, views[1], counts)), removals[1])
     causes = np.vstack([rows.residuals, rows.biased()])
-    rights = matmul(left, _products_of_pairs(views[0] * weights, causes, counts))
+    rights = matmul(left, products_of_pairs(views[0] * weights, causes, counts))
     systems = matmul(matmul(left, sums[0]), removals[0])
     return systems / noise, 0.5 * (known + known.transpose(0, 2, 1)) / noise, rights / noise
 
 
-def _products_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
+def products_of_pairs(left: Floats, right: Floats, counts: NDArray[np.int64]) -> Floats:
     """Matrices [pairs, n, m] of the products of rows, left (n, points) and right (m, points)."""
     return np.add.reduceat(left[:, None] * right, np.cumsum(counts) - counts, axis=2).transpose(2, 0, 1)
 
 
-def _pose_inverse(sums: Floats) -> Floats:
+def pose_inverse(sums: Floats) -> Floats:
     return inv(sums[:, :6, :6] + 1e-3 * np.eye(6))
 
 
@@ -634,13 +479,11 @@ def _surface_of(view: CameraView, radius: int) -> _Surface:
     v, u = np.mgrid[: q.shape[0], : q.shape[1]].astype(np.float64)
     n = (2 * radius + 1) ** 2
     spread = n * radius * (radius + 1) / 3.0
-    middle, square = _window_sum(q, radius) / n, _window_sum(q * q, radius)
-    a, b = (
-        (_window_sum(q * u, radius) - u * n * middle) / spread,
-        (_window_sum(q * v, radius) - v * n * middle) / spread,
-    )
+    sums = _window_sums(np.stack([q, q * q, q * u, q * v, (q > 0).astype(np.float64)]), radius)
+    middle, square = sums[0] / n, sums[1]
+    a, b = (sums[2] - u * n * middle) / spread, (sums[3] - v * n * middle) / spread
     residual = np.sqrt(np.maximum(square / n - middle**2 - spread / n * (a * a + b * b), 0.0))
-    is_full = _window_sum((q > 0).astype(np.float64), radius) > n - 0.5
+    is_full = sums[4] > n - 0.5
     z = np.where(is_full, 1.0 / np.maximum(middle, 1e-6), 0.0)
     normals = np.stack([a * fx, b * fy, middle - a * (u - cx) - b * (v - cy)])
     normals /= np.maximum(np.sqrt((normals**2).sum(0)), 1e-12)
@@ -650,11 +493,12 @@ def _surface_of(view: CameraView, radius: int) -> _Surface:
     return _Surface(np.stack([z, *normals, x, y]).reshape(6, -1), is_plane)
 
 
-def _window_sum(values: Floats, radius: int) -> Floats:
-    """Sum over the windows of cells; windows end at the border."""
-    size = 2 * radius + 1
-    sums = np.cumsum(np.cumsum(np.pad(values, [(radius + 1, radius)] * 2), axis=0), axis=1)
-    return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
+def _window_sums(values: Floats, radius: int) -> Floats:
+    """Sums over the windows of cells of each image; windows end at the border."""
+    rows, columns = values.shape[1:]
+    padded = np.pad(values, ((0, 0), (radius, radius), (radius, radius)))
+    vertical = sum((padded[:, k : k + rows] for k in range(1, 2 * radius + 1)), padded[:, :rows].copy())
+    return sum((vertical[..., k : k + columns] for k in range(1, 2 * radius + 1)), vertical[..., :columns].copy())
 
 
 def _scales(values: Floats) -> tuple[float, float]:
@@ -670,7 +514,7 @@ def _rays(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats]:
     return x * factor, y * factor
 
 
-def _derivatives(cells: Floats, n: Floats, values: Floats) -> Floats:
+def derivatives(cells: Floats, n: Floats, values: Floats) -> Floats:
     """Derivatives of n . point by the parameters, float64 [6, points], at rays (x, y) and depth."""
     x, y, z = cells
     (x_scale, y_scale), square = _scales(values), x * x + y * y
