@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import sqlite3
 import struct
-import warnings
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,7 @@ LAYER = "contours"
 LINE_STRING_Z = 1002  # of well-known binary
 DECIMALS = 9  # of GeoJSON's degrees: 0.1 mm
 DATE = "1970-01-01T00:00:00.000Z"  # of a GeoPackage, so that files of equal lines are equal
+NO_SYSTEM = 'LOCAL_CS["Undefined Cartesian SRS",UNIT["metre",1]]'
 
 
 def check_contour_file(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
@@ -48,14 +48,19 @@ def write_contour_file(path: FilePath, lines: LineSet, crs: str | None, *, overw
     elif driver == "GeoJSON" and crs is not None:
         options = {"RFC7946": "YES", "COORDINATE_PRECISION": DECIMALS}  # the standard: degrees of WGS84
     try:
-        with atomic_path(path, overwrite=overwrite) as part, _fixed_date(pyogrio), warnings.catch_warnings():
-            warnings.filterwarnings("ignore", "The filename extension", RuntimeWarning)  # of the part
-            warnings.filterwarnings("ignore", "'crs' was not provided", UserWarning)  # the data has none
-            pyogrio.raw.write(
-                str(part), np.array([_binary(line) for line in polylines], object), [*fields.values()], [*fields],
-                layer=None if driver == "DXF" else LAYER, driver=driver, geometry_type="LineString Z", crs=crs,
-                encoding="UTF-8", **options,
-            )  # fmt: skip
+        with atomic_path(path, overwrite=overwrite) as part:
+            work = part.with_suffix(path.suffix)  # GDAL warns of other names
+            try:
+                pyogrio.raw.write(
+                    str(work), np.array([_binary(line) for line in polylines], object), [*fields.values()], [*fields],
+                    layer=None if driver == "DXF" else LAYER, driver=driver, geometry_type="LineString Z",
+                    crs=crs or NO_SYSTEM, encoding="UTF-8", **options,
+                )  # fmt: skip
+                if driver == "GPKG":
+                    _set_date(work)
+                work.replace(part)
+            finally:
+                work.unlink(missing_ok=True)
     except pyogrio.errors.CRSError as error:
         raise FileError(path, f"crs: {str(crs)[:80]!r} is unknown: {error}") from error
     except (pyogrio.errors.DataSourceError, pyogrio.errors.DataLayerError, OSError, RuntimeError) as error:
@@ -65,15 +70,9 @@ def write_contour_file(path: FilePath, lines: LineSet, crs: str | None, *, overw
     return path
 
 
-@contextlib.contextmanager
-def _fixed_date(pyogrio: Any) -> Iterator[None]:
-    name = "OGR_CURRENT_DATE"
-    before = pyogrio.get_gdal_config_option(name)
-    pyogrio.set_gdal_config_options({name: DATE})
-    try:
-        yield
-    finally:
-        pyogrio.set_gdal_config_options({name: before})
+def _set_date(path: Path) -> None:
+    with contextlib.closing(sqlite3.connect(path)) as database, database:
+        database.execute("UPDATE gpkg_contents SET last_change = ?", (DATE,))
 
 
 def _binary(line: NDArray[np.float64]) -> bytes:

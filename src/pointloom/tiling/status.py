@@ -137,13 +137,15 @@ def status_of(manifest: Manifest) -> TileStatus:
         bucket_bytes=disk["n"] or 0,
         troubles=errors,
         **_pass_of(manifest),
-        voxel_corners=_corners_of(manifest.plan),
+        voxel_corners=_corners_of(manifest),
     )
 
 
-def _corners_of(plan: dict[str, Any]) -> tuple[tuple[float, ...], ...]:
-    steps = [step for step in plan["steps"] if step["step"] == VoxelDownSample.name]
-    return tuple(tuple((relative_corner(step, plan) + np.array(plan["origin"])).tolist()) for step in steps)
+def _corners_of(manifest: Manifest) -> tuple[tuple[float, ...], ...]:
+    with damage_as_file_errors(manifest.folder / NAME):
+        plan = manifest.plan
+        steps = [step for step in plan["steps"] if step["step"] == VoxelDownSample.name]
+        return tuple(tuple((relative_corner(step, plan) + np.array(plan["origin"])).tolist()) for step in steps)
 
 
 def _pass_of(manifest: Manifest) -> dict[str, int]:
