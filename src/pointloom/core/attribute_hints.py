@@ -11,9 +11,9 @@ from .name_words import near_names, row_of_words, same_names
 from .open3d_names import BRIDGE, COMMON, SHAPES, hint, row_of
 
 
-def nearest_name(name: str, known: Iterable[str]) -> str:
-    """`; did you mean 'colors'?` if known public names have the same words or letters, else ""."""
-    nearest = near_names(name, known)
+def nearest_name(name: object, known: Iterable[str]) -> str:
+    """`; did you mean 'colors'?` if known public names have the same words or letters, else "", also for no text."""
+    nearest = near_names(name, known) if isinstance(name, str) else ()
     return f"; did you mean {' or '.join(map(repr, nearest))}?" if nearest else ""
 
 
