@@ -53,7 +53,7 @@ def small_files(tmp_path_factory):
 OFFSETS = [(0.0, 0.0, 0.0), (412000.0, 5651000.0, 100.0), (1e6, 1e6, 1e6), (-1e6, -5e5, -100.0), (-30.0, -25.0, -2.0)]
 
 
-@pytest.mark.slow_on_emulated_cuda("nine offsets and sizes of tiles, each a job")
+@pytest.mark.slow_on_emulated_cuda("ten surveys, each a job of tiles")
 @pytest.mark.parametrize("step", [None, 0.05])  # random positions, or many on borders of voxels
 @pytest.mark.parametrize("offset", OFFSETS)
 def test_voxels_of_tiles_are_those_of_the_public_call(tmp_path, device, offset, step):

@@ -21,6 +21,7 @@ LAYER = "contours"
 LINE_STRING_Z = 1002  # of well-known binary
 DECIMALS = 9  # of GeoJSON's degrees: 0.1 mm
 DATE = "1970-01-01T00:00:00.000Z"  # of a GeoPackage, so that files of equal lines are equal
+CHANGE_COUNTERS = (24, 92)  # [B] in the header of SQLite: the counter, and that of the stored size of the file
 NO_SYSTEM = 'LOCAL_CS["Undefined Cartesian SRS",UNIT["metre",1]]'
 
 
@@ -57,7 +58,7 @@ def write_contour_file(path: FilePath, lines: LineSet, crs: str | None, *, overw
                     crs=crs or NO_SYSTEM, encoding="UTF-8", **options,
                 )  # fmt: skip
                 if driver == "GPKG":
-                    _set_date(work)
+                    _make_reproducible(work)
                 work.replace(part)
             finally:
                 work.unlink(missing_ok=True)
@@ -70,9 +71,14 @@ def write_contour_file(path: FilePath, lines: LineSet, crs: str | None, *, overw
     return path
 
 
-def _set_date(path: Path) -> None:
+def _make_reproducible(path: Path) -> None:
+    """Set the date of a GeoPackage, and the counters of its transactions, whose number in GDAL depends on time."""
     with contextlib.closing(sqlite3.connect(path)) as database, database:
         database.execute("UPDATE gpkg_contents SET last_change = ?", (DATE,))
+    with path.open("r+b") as file:
+        for position in CHANGE_COUNTERS:
+            file.seek(position)
+            file.write(struct.pack(">I", 1))
 
 
 def _binary(line: NDArray[np.float64]) -> bytes:
