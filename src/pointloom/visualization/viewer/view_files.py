@@ -7,7 +7,7 @@ import os
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -35,12 +35,14 @@ from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...pcd.geotiff import ENDINGS as RASTERS
 from ...pcd.polygon_volume import SelectionPolygonVolume
-from ...pcd.raster import Raster, read_raster
 from ..render.geometries import Named, named_geometries
 from ..render.styles import Style
 from .copc_tree import CopcTree
 from .detail_files import sample_file
 from .detail_tree import DetailTree
+
+if TYPE_CHECKING:
+    from ...pcd.raster import Raster
 
 _NO_INDICES = np.zeros(0, np.int64)
 _COORDINATES = ("rgb", "normal", "height", "x", "y", "z", "label")  # properties that need no attribute
@@ -129,6 +131,8 @@ def read_geometry(
     if suffix in CLOUD_FORMATS:
         return read_point_cloud(path, device=device)
     if suffix in RASTERS:
+        from ...pcd.raster import read_raster  # on use: it imports scipy's matrices
+
         return cells_of_raster(read_raster(path), device)
     known = " ".join(dict.fromkeys([*CLOUD_FORMATS, *MESH_FORMATS, *TRAJECTORY_FORMATS, *RASTERS]))
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Supported: {known}")
