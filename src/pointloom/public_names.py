@@ -311,9 +311,9 @@ def _read(package: str) -> dict[str, str]:
 def _stub(package: str) -> str:
     import pkgutil
 
-    importlib.import_module(package)  # `get_data` alone would not make it an attribute of its parent
-    try:
-        stub = pkgutil.get_data(package, "__init__.pyi")
+    root, *inside = package.split(".")
+    try:  # as data of the loaded root: a name that is only looked for imports no package
+        stub = pkgutil.get_data(root, "/".join((*inside, "__init__.pyi")))
     except OSError:
         stub = None
     if stub is None:

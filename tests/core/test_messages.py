@@ -68,6 +68,21 @@ def test_a_long_call_prints_its_progress(begin, output):
     assert (run.stdout, run.stderr) == ("", output)
 
 
+def test_a_missing_attribute_imports_no_package():
+    """`hasattr` is called with any name, and its message looks for the name in all packages."""
+    script = (
+        "import sys, pointloom as loom\n"
+        "cloud = loom.PointCloud([[0, 0, 0]])\n"
+        "before = set(sys.modules)\n"
+        "assert not hasattr(cloud, 'classify_everything') and not hasattr(loom, 'classify_everything')\n"
+        "print(sorted(name for name in set(sys.modules) - before if name.count('.') == 1))"
+    )
+    found = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout
+    assert not any(f"pointloom.{name}'" in found for name in ("registration", "meshing", "rgbd", "photogrammetry")), (
+        found
+    )
+
+
 def test_a_short_call_prints_nothing(caplog):
     with caplog.at_level(logging.INFO, "pointloom"):
         report = check_progress(None)
