@@ -69,7 +69,7 @@ def test_a_long_call_prints_its_progress(begin, output):
 
 
 def test_a_missing_attribute_imports_no_package():
-    """`hasattr` is called with any name, and its message looks for the name in all packages."""
+    """`hasattr` is called with any name. The message looks for it in all packages, and in clouds and meshes."""
     script = (
         "import sys, pointloom as loom\n"
         "cloud = loom.PointCloud([[0, 0, 0]])\n"
