@@ -26,7 +26,7 @@ from pointloom.io.points import formats
 from pointloom.io.points.formats import CLOUD_FORMATS, WITH_NAMED_COLUMNS, WRITTEN
 from pointloom.io.points.scan_files import list_scans
 from pointloom.io.splats.splat_files import EXTENSIONS as SPLATS
-from pointloom.pcd.contour_files import write_contour_file
+from pointloom.pcd.contour_files import joined_lines, write_contour_file
 from pointloom.pcd.geotiff import ENDINGS as RASTERS
 from pointloom.visualization.recording.extensions import RECORDINGS
 from pointloom.visualization.viewer.view_files import read_geometry
@@ -127,7 +127,10 @@ CALLS = {
     "VideoOutputs.trajectory": (lambda path: OUTPUTS(trajectory=path).check(overwrite=True), NUMBERED),
     "info": (describe, {*READ, *IMAGES, *RASTERS, *TRAJECTORY_FORMATS, ".xml"}),
     "view": (read_geometry, {*READ, *RASTERS, *TRAJECTORY_FORMATS}),
-    "write_contours": (lambda path: write_contour_file(path, LINES, None, overwrite=True), paths.CONTOURS),
+    "write_contours": (
+        lambda path: write_contour_file(path, joined_lines(LINES), None, overwrite=True),
+        paths.CONTOURS,
+    ),
     "list_scans": (lambda path: list_scans(path.parent), CLOUD_FORMATS),
 }
 

@@ -227,7 +227,7 @@ def _constructed(package: str) -> list[str]:
 def _packages(root: str) -> list[tuple[str, str]]:
     """The packages of public names, with the paths that users write."""
     homes = _read(root).items()
-    inside = [(name, _package_of(module, home)) for module, home in homes if module.islower() for name in (module,)]
+    inside = [(module, _package_of(module, home)) for module, home in homes if module.islower()]
     return [(root, SHORT_NAME), *((full, f"{SHORT_NAME}.{name}") for name, full in inside if full)]
 
 

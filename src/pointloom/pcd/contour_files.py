@@ -6,6 +6,7 @@ import contextlib
 import importlib
 import sqlite3
 import struct
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -38,10 +39,12 @@ def check_contour_file(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
         raise FileError(checked, reason, remedy='pip install "pointloom[geo]"') from error
 
 
-def write_contour_file(path: FilePath, lines: LineSet, crs: str | None, *, overwrite: bool) -> Path:
-    """Write lines as one polyline per contour, with its height as attribute `elevation` and as z."""
+def write_contour_file(
+    path: FilePath, polylines: Sequence[NDArray[np.float64]], crs: str | None, *, overwrite: bool
+) -> Path:
+    """Write contours, (n, 3) each, with their height as attribute `elevation` and as z."""
     path, pyogrio = check_contour_file(path, overwrite=overwrite)
-    driver, polylines = CONTOURS[path.suffix.lower()], joined_lines(lines)
+    driver = CONTOURS[path.suffix.lower()]
     fields: dict[str, NDArray[Any]] = {"elevation": np.array([line[0, 2] for line in polylines], np.float64)}
     options: dict[str, Any] = {}
     if driver == "DXF":

@@ -21,7 +21,7 @@ from ..kernels.lang import vec3
 from ..kernels.memory import download, upload
 from ..kernels.terrain.cells import CellGroups, FixedCells
 from ..kernels.terrain.inverse_distance import interpolate_centers
-from .contour_files import check_contour_file, write_contour_file
+from .contour_files import check_contour_file, joined_lines, write_contour_file
 from .contours import trace_contours
 from .geotiff import geotiff, read_geotiff
 from .line_set import LineSet
@@ -194,7 +194,8 @@ class Raster:
             'hill.gpkg'
         """
         check_contour_file(path, overwrite=overwrite)
-        return write_contour_file(path, self.contour_lines(interval, levels=levels), self.crs, overwrite=overwrite)
+        lines = joined_lines(self.contour_lines(interval, levels=levels))
+        return write_contour_file(path, lines, self.crs, overwrite=overwrite)
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
         """Write a compressed float32 GeoTIFF atomically. The second band is 1 in filled cells.

@@ -146,8 +146,8 @@ def change_files(
     else:
         compared, searched = _with_mesh(job, first, after, measure), after
     _write(job, compared, outputs, stored if measure.cores is None else stored[_thinned_rows(searched, measure.cores)])
-    if outputs.report is not None:
-        _write_page(job, outputs.report, later, compared, outputs.limit, measure.registration_error)
+    if outputs.picture is not None or outputs.report is not None:
+        _write_picture(job, later, compared, outputs, measure.registration_error)
     return _report(job, later, compared, measure.registration_error)
 
 
@@ -225,7 +225,7 @@ def _radius_for(cloud: PointCloud, path: FilePath) -> float:
 
 
 def _write(job: Job, compared: Compared, outputs: ChangeOutputs, stored: NDArray[Any]) -> None:
-    where, result, limit = compared.where, compared.result, outputs.limit
+    where, result = compared.where, compared.result
     if outputs.points is not None:
         cloud = where.copy()
         for name, values in compared.columns.items():
@@ -234,25 +234,28 @@ def _write(job: Job, compared: Compared, outputs: ChangeOutputs, stored: NDArray
         cloud["significant"] = result.is_significant.astype(np.uint8)
         job.write_points(with_positions(table_of(cloud), stored), outputs.points)
     if outputs.painted is not None:
-        painted = table_of(paint_change(where, result, limit=limit))
+        painted = table_of(paint_change(where, result, limit=outputs.limit))
         job.write_points(with_positions(painted, stored), outputs.painted)
+
+
+def _write_picture(job: Job, later: FilePath, compared: Compared, outputs: ChangeOutputs, error: float) -> None:
+    """Write the picture and the page with it."""
+    overwrite = job.form["overwrite"]
+    with job.stage("picture"):
+        picture = draw_change(
+            compared.where, compared.result, outputs.picture, limit=outputs.limit, overwrite=overwrite
+        )
     if outputs.picture is not None:
-        with job.stage("picture"):
-            draw_change(where, result, outputs.picture, limit=limit, overwrite=job.form["overwrite"])
         job.wrote(outputs.picture)
-
-
-def _write_page(
-    job: Job, page: FilePath, later: FilePath, compared: Compared, limit: float | None, error: float
-) -> None:
+    if outputs.report is None:
+        return
     with job.stage("report"):
-        picture = draw_change(compared.where, compared.result, limit=limit)
         report = _report(job, later, compared, error)
         fields: Fields = [("before", os.fspath(job.source)), ("after", os.fspath(later)), *report.figures()]
         title = f"Change, {Path(job.source).name} to {Path(later).name}"
         pictures = [("Distances at the core points. Gray: below the level of detection at 95%", picture)]
-        write_report_page(page, title, fields, report.warnings, pictures, overwrite=job.form["overwrite"])
-    job.wrote(page)
+        write_report_page(outputs.report, title, fields, report.warnings, pictures, overwrite=overwrite)
+    job.wrote(outputs.report)
 
 
 def _report(job: Job, later: FilePath, compared: Compared, registration_error: float) -> ChangeReport:

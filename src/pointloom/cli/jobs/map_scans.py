@@ -16,7 +16,7 @@ from ...core.coordinate_systems import check_crs
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality, values_of
 from ...core.wording import format_seconds, plain
-from ...kernels.linear_algebra import inv, matmul
+from ...kernels.linear_algebra import matmul
 from ...registration.lidar.lidar_slam import LidarSLAM
 from ...registration.lidar.slam_summary import LidarSLAMSummary
 from .job import Job, JobReport, Settings
@@ -152,9 +152,9 @@ def map_of_scans(
         points, times = register_scans(job, slam, scans, given.readings)
         slam.finish()
     summary, cloud, poses, T = slam.summary, slam.map, slam.poses, slam.T_reference_world
-    undetermined = None
+    undetermined, placed = None, np.eye(4)
     if system is not None and T is not None:
-        cloud, poses = cloud.transform(T), matmul(T, poses)
+        cloud, poses, placed = cloud.transform(T), matmul(T, poses), T
         cloud.crs = system
     elif system is not None:
         undetermined = (
@@ -169,7 +169,7 @@ def map_of_scans(
             job.wrote(trajectory)
         if picture is not None:
             frame = "first scan" if cloud.crs is None else cloud.crs.name
-            _draw(job, slam, picture, cloud.points, poses, frame)
+            _draw(job, slam, picture, cloud.points, placed, frame)
         if slam.folder is not None:
             job.wrote(slam.folder)
     done, used = job.done(*summary.warnings, undetermined), slam.odometry
@@ -183,14 +183,14 @@ def _shown_pose(T: list[list[float]]) -> str:
     return f"the first scan is at {position} m, heading {math.degrees(math.atan2(T[1][0], T[0][0])):.1f} degrees"
 
 
-def _draw(job: Job, slam: LidarSLAM, picture: FilePath, points: Rows, poses: Rows, frame: str) -> None:
-    """`points` and `poses` of the map and the path are in the named frame."""
+def _draw(job: Job, slam: LidarSLAM, picture: FilePath, points: Rows, T_frame_world: Rows, frame: str) -> None:
+    """`points` of the map are in the named frame."""
     from ...visualization.render.picture_files import write_image
     from ...visualization.render.plots import map_plan
 
     with job.stage("draw"):
-        T = matmul(poses[0], inv(slam.poses[0]))  # to the frame of the picture
-        places = [matmul(T, submap.T_world_submap)[:3, 3] for submap in slam.submaps]
+        poses = matmul(T_frame_world, slam.poses)
+        places = [matmul(T_frame_world, submap.T_world_submap)[:3, 3] for submap in slam.submaps]
         loops = [(places[loop.source], places[loop.target]) for loop in slam.loops if loop.reliable]
         title = f"{Path(job.source).name}: {len(poses):,} scans, frame: {frame}"
         write_image(picture, map_plan(points, poses[:, :3, 3], loops, title), overwrite=job.form["overwrite"])

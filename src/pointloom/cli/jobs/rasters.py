@@ -178,10 +178,11 @@ def contours_of_file(
     job.unit = raster.unit
     with job.stage("contours"):
         lines = raster.contour_lines(interval)
+        polylines = joined_lines(lines)
     with job.stage("write"):
-        write_contour_file(output, lines, raster.crs, overwrite=overwrite)
+        write_contour_file(output, polylines, raster.crs, overwrite=overwrite)
     job.wrote(output)
     heights = np.unique(lines.points[:, 2])
     ends = (float(heights[0]), float(heights[-1])) if len(heights) else (None, None)
     warning = None if len(heights) else "no contour line crosses the raster"
-    return ContourReport(job.done(warning), len(joined_lines(lines)), len(heights), *ends, raster.crs)
+    return ContourReport(job.done(warning), len(polylines), len(heights), *ends, raster.crs)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Iterable
 from html import escape
 from typing import Any
@@ -13,7 +12,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.reports import Fields
-from ...io.images.image_files import encode_png
+from ...io.images.image_files import png_url
 
 ENDINGS = (".html", ".htm")
 STYLE = (
@@ -51,7 +50,7 @@ def write_report_page(
         )
     rows = "".join(f"<tr><td>{_safe(name)}</td><td>{_safe(value)}</td></tr>" for name, value in fields)
     figures = "".join(
-        f'<figure><img alt="" src="{_embedded(pixels)}"><figcaption>{_safe(caption)}</figcaption></figure>'
+        f'<figure><img alt="" src="{png_url(pixels)}"><figcaption>{_safe(caption)}</figcaption></figure>'
         for caption, pixels in pictures
     )
     head = f'<meta charset="utf-8"><title>{_safe(title)}</title><style>{STYLE}</style>'
@@ -60,10 +59,6 @@ def write_report_page(
     page = f'<!DOCTYPE html><html lang="en"><head>{head}</head><body>{body}</body></html>\n'
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(page.encode())
-
-
-def _embedded(pixels: NDArray[Any]) -> str:
-    return f"data:image/png;base64,{base64.b64encode(encode_png(pixels)).decode()}"
 
 
 def _safe(text: str) -> str:

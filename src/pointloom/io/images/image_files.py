@@ -8,6 +8,7 @@ Color profiles, gamma and EXIF orientation are not applied. ITU-T T.81, sections
 
 from __future__ import annotations
 
+import base64
 import dataclasses
 import io
 import itertools
@@ -248,6 +249,11 @@ def encode_png(array: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
     file = io.BytesIO()
     Image.fromarray(np.ascontiguousarray(array)).save(file, "PNG", compress_level=_PNG_LEVEL)
     return file.getvalue()
+
+
+def png_url(array: NDArray[np.uint8]) -> str:
+    """An image as the address of its own data, for pages without other files."""
+    return f"data:image/png;base64,{base64.b64encode(encode_png(array)).decode()}"
 
 
 def read_image_header(path: FilePath) -> ImageHeader:

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_finite, check_positive, check_rows, check_shape
 from ...core.escaped_text import escaped
-from ...io.images.image_files import encode_png
+from ...io.images.image_files import png_url
 from ...kernels.linear_algebra import matmul
 from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
@@ -74,8 +74,7 @@ def write_page(
     description = _describe(timeline, arrays, view, _check_background(background), point_size)
     if key is not None:
         text, image = key
-        source = f"data:image/png;base64,{base64.b64encode(encode_png(image)).decode()}"
-        description["key"] = {"text": text, "image": source, "width": image.shape[1] / 2}
+        description["key"] = {"text": text, "image": png_url(image), "width": image.shape[1] / 2}
     with atomic_write(path, overwrite=overwrite) as file:
         _write(file, description, arrays, timeline.name or timeline.title or path.stem)
 
