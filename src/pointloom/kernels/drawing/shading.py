@@ -103,11 +103,11 @@ def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
     cosine = 0.5
     side = 0.5
     if size > 0.0 and distance > 0.0:
-        unit = normal / size
+        scale = 1.0 / size
         if dot(normal, facing) < 0.0:
-            unit = -unit
-        cosine = max(dot(unit, ray) / distance, 0.0)
-        side = max(dot(unit, vec3(KEY_X, KEY_Y, KEY_Z)), 0.0)
+            scale = -scale
+        cosine = max(dot(normal, ray) * scale / distance, 0.0)
+        side = max(dot(normal, vec3(KEY_X, KEY_Y, KEY_Z)) * scale, 0.0)
     return AMBIENT_LIGHT + HEAD_LIGHT * cosine + KEY_LIGHT * side
 
 

@@ -5,25 +5,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ..array_types import Array1, Indices, Points, Vectors
-from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
+from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3, vector
 from ..memory import empty, upload
-from .shading import (
-    CELLS_PER_PIXEL,
-    Region,
-    Veil,
-    cells_of,
-    clamp_color,
-    element_at,
-    light_face,
-    pixel_of,
-    seen_fraction,
-)
+from .shading import CELLS_PER_PIXEL, Region, Veil, clamp_color, element_at, light_face, seen_fraction
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
 
 EDGE_WIDTH = 0.5  # [px] half width of an edge inside a triangle
-PIXEL_MIDDLE = 0.5 * (CELLS_PER_PIXEL - 1)  # of a pixel, from the center of its first cell [cells]
 EDGE_SHADE = 0.12  # brightness factor of edges
 NO_COLOR = vec3(0.0, 0.0, 0.0)
+cell_indices = vector(CELLS_PER_PIXEL * CELLS_PER_PIXEL, int32)  # an index per cell of a pixel
 
 
 class Texture(NamedTuple):
@@ -156,8 +146,9 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
     wb = 0.0
     wc = 0.0
     if total != 0.0:
-        wb = min(max(u / total, 0.0), 1.0)
-        wc = min(max(v / total, 0.0), 1.0 - wb)
+        inverse = 1.0 / total
+        wb = min(max(u * inverse, 0.0), 1.0)
+        wc = min(max(v * inverse, 0.0), 1.0 - wb)
         wa = 1.0 - wb - wc
     color = mix_corners(triangle, wa, wb, wc, surface)
     if surface.edges == 1:
@@ -180,35 +171,40 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
 def shade_surface_kernel(
     buffer: DepthBuffer, view: View, region: Region, surface: Surface, veil: Veil, light: array(dtype=vec3)
 ):
+    """Add the colors of the cells that show triangles: of a texture per cell, else one per triangle of a pixel, at the
+    mean of its cells.
+    """
     i = tid()
-    pixel = pixel_of(i, region, buffer)
-    known = -1
-    sample_count = 0
-    alike = 0
-    column = float((pixel % (buffer.width // CELLS_PER_PIXEL)) * CELLS_PER_PIXEL) + PIXEL_MIDDLE
-    row = float((pixel // (buffer.width // CELLS_PER_PIXEL)) * CELLS_PER_PIXEL) + PIXEL_MIDDLE
-    for cell in cells_of(pixel, buffer):
-        triangle = element_at(cell, region, buffer)
-        if triangle >= 0:
-            sample_count += 1
-            if known < 0:
-                known = triangle
-            if triangle == known:
-                alike += 1
-    total = vec3(0.0, 0.0, 0.0)
-    if alike == CELLS_PER_PIXEL * CELLS_PER_PIXEL and surface.texture_width == 0:
-        fraction = 0.0
-        for cell in cells_of(pixel, buffer):
-            fraction = fraction + seen_fraction(cell, veil)
-        total = color_of(known, column, row, view, surface) * fraction
-    elif sample_count > 0:
-        for cell in cells_of(pixel, buffer):
-            triangle = element_at(cell, region, buffer)
+    column = region.left + i % region.wide
+    row = region.top + i // region.wide
+    first = row * CELLS_PER_PIXEL * buffer.width + column * CELLS_PER_PIXEL
+    triangles = cell_indices(-1)
+    left = 0
+    for k in range(CELLS_PER_PIXEL * CELLS_PER_PIXEL):
+        triangles[k] = element_at(first + (k // CELLS_PER_PIXEL) * buffer.width + k % CELLS_PER_PIXEL, region, buffer)
+        if triangles[k] >= 0:
+            left = 1
+    if left == 1:
+        total = vec3(0.0, 0.0, 0.0)
+        for k in range(CELLS_PER_PIXEL * CELLS_PER_PIXEL):
+            triangle = triangles[k]
             if triangle >= 0:
-                x = float(cell % buffer.width)
-                y = float(cell // buffer.width)
-                total = total + color_of(triangle, x, y, view, surface) * seen_fraction(cell, veil)
-    if sample_count > 0:
+                across = float(0.0)
+                down = float(0.0)
+                count = float(0.0)
+                fraction = float(0.0)
+                for j in range(CELLS_PER_PIXEL * CELLS_PER_PIXEL):
+                    if triangles[j] == triangle and (j == k or surface.texture_width == 0):
+                        across = across + float(j % CELLS_PER_PIXEL)
+                        down = down + float(j // CELLS_PER_PIXEL)
+                        count = count + 1.0
+                        cell = first + (j // CELLS_PER_PIXEL) * buffer.width + j % CELLS_PER_PIXEL
+                        fraction = fraction + seen_fraction(cell, veil)
+                        triangles[j] = -1
+                x = float(column * CELLS_PER_PIXEL) + across / count
+                y = float(row * CELLS_PER_PIXEL) + down / count
+                total = total + color_of(triangle, x, y, view, surface) * fraction
+        pixel = row * (buffer.width // CELLS_PER_PIXEL) + column
         light[pixel] = light[pixel] + total
 
 
