@@ -113,6 +113,33 @@ def test_hulls_of_small_clouds_enclose_them_by_their_own_points(device, points, 
         assert abs(signed_volume(hull) - hull.volume) < 1e-6
 
 
+@pytest.mark.parametrize("shift", [0.0, 1000.0, 5e5])
+@pytest.mark.parametrize("shape", ["ball", "sphere", "thin", "duplicates", "tetrahedron", "grid"])
+def test_small_bodies_have_the_hull_of_qhull(device, shape, shift, rng):
+    """Bodies whose facets are triangles, and one whose facets are squares."""
+    points = rng.standard_normal((300, 3))
+    if shape == "sphere":
+        points /= np.linalg.norm(points, axis=1)[:, None]
+    elif shape == "thin":
+        points *= (1.0, 1.0, 1e-3)
+    elif shape == "duplicates":
+        points = np.repeat(points, 3, axis=0)
+    elif shape == "tetrahedron":
+        points = points[:4]
+    elif shape == "grid":
+        points = np.stack(np.meshgrid(*[np.arange(5.0)] * 3), axis=-1).reshape(-1, 3)
+    cloud = loom.PointCloud(points + shift, device=device)
+    hull, rows = cloud.compute_convex_hull()
+    positions = cloud.points.astype(np.float64)
+    expected = Qhull(positions - shift, qhull_options="Qt")
+    assert np.array_equal(hull.vertices, positions[rows])
+    assert set(map(tuple, hull.vertices)) == set(map(tuple, positions[expected.vertices]))
+    assert hull.volume == pytest.approx(expected.volume, rel=1e-9)
+    assert hull.area == pytest.approx(expected.area, rel=1e-9)
+    a, b, c = (hull.vertices[hull.triangles[:, k]] - hull.vertices.mean(axis=0) for k in range(3))
+    assert (np.einsum("ij,ij->i", a, np.cross(b, c)) > 0).all(), "triangles face inwards"
+
+
 def test_points_in_a_plane_have_a_flat_hull(device):
     """Open3D raises QH6154."""
     square = np.array([[0, 0, 3], [2, 0, 3], [2, 2, 3], [0, 2, 3], [1, 1, 3], [1, 0, 3]], float)

@@ -78,8 +78,12 @@ class Extremes:
 
 
 def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding: float = 0.0) -> Extremes:
-    """Hull of finite positions (n, 3), n > 0, by Qhull (Barber et al. 1996), also if coplanar or collinear. Points
-    within `rounding` of a plane or line count as on it; `joggle` perturbs them instead of merging facets."""
+    """Hull of finite positions (n, 3), n > 0, also if coplanar or collinear. Points within `rounding` of a plane or line
+    count as on it. By a kernel, or by Qhull (Barber et al. 1996) if points are coplanar with a facet up to rounding;
+    `joggle` perturbs them then instead of merging facets."""
+    body = None if joggle else _find_simplicial_body(positions, rounding)
+    if body is not None:
+        return body
     flat = _find_flat_extremes(positions, rounding) if rounding > 0 else None
     if flat is not None:
         return flat
@@ -97,6 +101,28 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
     triangles = new_indices[orient(hull.simplices, positions, hull.equations)]
     normals = np.ascontiguousarray(hull.equations[:, :3])
     return Extremes(np.flatnonzero(used), triangles, 3, normals, float(hull.volume), float(hull.area))
+
+
+def _find_simplicial_body(positions: NDArray[np.float64], rounding: float) -> Extremes | None:
+    """Hull of a body if all facets are certain triangles, and no plane is within `rounding` of all points."""
+    on_sides = max((column == end).sum() for column in positions.T for end in (column.min(), column.max()))
+    if len(positions) < 4 or on_sides > 3:  # more than a triangle on a side of the box is not certain
+        return None
+    center = positions.mean(axis=0).astype(np.float32).astype(np.float64)  # differences of float32 numbers are exact
+    arms = positions - center
+    triangles = find_central_hull(arms)
+    if triangles is None or not len(triangles) or triangles.min() < 0:
+        return None
+    a, b, c = arms[triangles[:, 0]], arms[triangles[:, 1]], arms[triangles[:, 2]]
+    normals = _cross_rows(b - a, c - a)
+    lengths = np.sqrt(np.einsum("ij,ij->i", normals, normals))
+    area, volume = float(lengths.sum()) / 2, float(np.einsum("ij,ij->", a, normals)) / 6
+    if not volume > rounding * area:  # a convex body between planes at distance w has at most w / 2 of its area
+        return None
+    used = np.zeros(len(positions), bool)
+    used[triangles] = True
+    new_indices = np.cumsum(used, dtype=np.int32) - np.int32(1)
+    return Extremes(np.flatnonzero(used), new_indices[triangles], 3, normals / lengths[:, None], volume, area)
 
 
 def find_outer_facets(positions: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
