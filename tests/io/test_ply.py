@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pytest
 
+import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.io.points.ply import read_ply, write_ply
 from pointloom.io.table import PointTable
@@ -233,3 +234,27 @@ def test_comments_change_only_the_header(tmp_path, ascii):
     write_ply(commented, table_of(5), ascii=ascii, comments=["units arbitrary"])
     assert commented.read_bytes() == plain.read_bytes().replace(b"1.0\n", b"1.0\ncomment units arbitrary\n", 1)
     np.testing.assert_array_equal(read_ply(commented).points, read_ply(plain).points)
+
+
+def test_files_of_one_layout_keep_their_own_values_and_errors(tmp_path):
+    """A header that was read before is not parsed again."""
+    clouds = [loom.PointCloud(np.full((3, 3), k, float), level=np.full(3, 10 * k)) for k in range(3)]
+    for k, cloud in enumerate(clouds):
+        loom.write_point_cloud(tmp_path / f"{k}.ply", cloud)
+    for k, cloud in enumerate(clouds):
+        read = loom.read_point_cloud(tmp_path / f"{k}.ply")
+        np.testing.assert_array_equal(read.points, cloud.points)
+        np.testing.assert_array_equal(read["level"], cloud["level"])
+    for name in ("a.ply", "b.ply"):
+        (tmp_path / name).write_bytes(b"ply\nformat ascii 1.0\nelement vertex one\nend_header\n")
+        with pytest.raises(FileError, match=f"{name}.*line 3"):
+            loom.read_point_cloud(tmp_path / name)
+
+
+@pytest.mark.parametrize("comment_bytes", [0, 4070, 4090, 10_000])
+def test_the_unit_of_a_long_header_is_read(tmp_path, comment_bytes):
+    path = tmp_path / "long.ply"
+    loom.write_point_cloud(path, loom.PointCloud([[1, 2, 3]], unit="foot"))
+    first, rest = path.read_bytes().split(b"\n", 1)
+    path.write_bytes(first + b"\n" + b"comment " + b"x" * comment_bytes + b"\n" + rest)
+    assert str(loom.read_point_cloud(path).unit) == "foot"

@@ -26,9 +26,10 @@ def path_of(path: object, name: str = "path") -> Path:
     if not isinstance(text, str):
         hint = "; it comes first" if name == "path" else ""
         raise TypeError(f"{name}: expected the path of a file or folder, got a {type(path).__name__}{hint}")
-    given = Path(text)
-    with contextlib.suppress(RuntimeError):  # no such user: a valid file name
-        given = given.expanduser()
+    given = path if isinstance(path, Path) else Path(text)
+    if text.startswith("~"):
+        with contextlib.suppress(RuntimeError):  # no such user: a valid file name
+            given = given.expanduser()
     try:
         given.stat()
     except (FileNotFoundError, NotADirectoryError, ValueError):  # reported where the path is used
@@ -44,7 +45,8 @@ def input_path(path: Any) -> Path:
     given = path_of(path)
     mode = size = 0
     with contextlib.suppress(OSError, ValueError):  # reported when the file is opened
-        mode, size = given.stat().st_mode, given.stat().st_size
+        status = given.stat()
+        mode, size = status.st_mode, status.st_size
     if mode and not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
         raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
     if stat.S_ISREG(mode) and 0 < size < _MAX_POINTER_BYTES:

@@ -25,6 +25,7 @@ from ..core.units import warn_of_units
 
 # A header without an end would otherwise be searched in gigabytes of payload. Real ones are below 100 KiB.
 MAX_HEADER_BYTES = 1 << 20
+HEAD_BYTES = 1 << 12  # read at once: headers are shorter, with few exceptions
 
 # More digits than any count needs; int() of longer text would be slow or rejected by Python.
 _MAX_DIGITS = 19

@@ -78,8 +78,8 @@ class Extremes:
 
 
 def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding: float = 0.0) -> Extremes:
-    """Hull of finite positions (n, 3), n > 0, also if coplanar or collinear. Points within `rounding` of a plane or line
-    count as on it. By a kernel, or by Qhull (Barber et al. 1996) if points are coplanar with a facet up to rounding;
+    """Hull of finite positions (n, 3), n > 0, also if flat. Points within `rounding` of a plane or line count as on it.
+    By a kernel, or by Qhull (Barber et al. 1996) if points are coplanar with a facet up to rounding;
     `joggle` perturbs them then instead of merging facets."""
     body = None if joggle else _find_simplicial_body(positions, rounding)
     if body is not None:

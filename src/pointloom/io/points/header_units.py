@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 from ...core.coordinate_systems import CoordinateSystem, check_crs
 from ...core.errors import FileError, FilePath
 from ...core.units import METRE, LengthUnit, is_same, text_of, unit_of_text, warn_of_units
-from ..source import MAX_HEADER_BYTES, Source, open_source
+from ..source import HEAD_BYTES, MAX_HEADER_BYTES, Source, open_source
 from ..table import MeshTable, PointTable
 from .las_wkt import LostSystemWarning
 
@@ -57,8 +57,13 @@ def is_metric(reader: Callable[..., T]) -> Callable[..., T]:
 
 def reference_in_header(source: Source, form: tuple[str, str]) -> tuple[LengthUnit | None, CoordinateSystem | None]:
     mark, end = form
-    head = bytes(source[:MAX_HEADER_BYTES])
-    stop = head.find(f"\n{end}".encode())
+    head, stop = b"", -1
+    for size in (HEAD_BYTES, MAX_HEADER_BYTES):
+        if stop < 0:
+            head = bytes(source[:size])
+            stop = head.find(f"\n{end}".encode())
+    if stop >= 0 and b"unit" not in head and b"crs" not in head:
+        return None, None
     values: dict[str, set[str]] = {"unit": set(), "crs": set()}
     for line in head[: stop if stop >= 0 else head.find(end.encode())].decode("utf-8", "replace").splitlines():
         words = line.removeprefix(mark).strip() if line.startswith(mark) else ""

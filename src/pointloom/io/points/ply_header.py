@@ -5,15 +5,16 @@ Greg Turk, "The PLY Polygon File Format" (1994), and the later type names (int8.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, Literal
 
 import numpy as np
 
 from ...core.errors import FileError, FilePath
 from ..columns import roles_in_lower_case
-from ..source import MAX_HEADER_BYTES, Source, parse_count
+from ..source import HEAD_BYTES, MAX_HEADER_BYTES, Source, parse_count
 
 #: PLY's two families of type names, as NumPy codes without byte order.
 SCALAR_TYPES = {
@@ -31,7 +32,6 @@ _ROLES = (("x", "y", "z"), ("nx", "ny", "nz"), ("red", "green", "blue"), ("r", "
 
 ByteOrder = Literal["=", "<", ">"]
 
-_HEAD_BYTES = 1 << 12  # read at once: headers are shorter, with few exceptions
 
 _BYTE_ORDERS: dict[str, ByteOrder] = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
@@ -84,6 +84,21 @@ class PlyHeader:
 
 
 def read_header(path: FilePath, source: Source) -> PlyHeader:
+    """The header, which belongs to all files with the same one: the caller must not change it."""
+    end = b"\nend_header\n"
+    text, separator, _ = bytes(source[:HEAD_BYTES]).partition(end)
+    if separator:
+        with suppress(FileError):  # reported below with the path
+            return _header_of(text + end)
+    return _parse_header(path, source)
+
+
+@lru_cache(maxsize=32)
+def _header_of(text: bytes) -> PlyHeader:
+    return _parse_header("", text)
+
+
+def _parse_header(path: FilePath, source: Source) -> PlyHeader:
     lines, size = _header_lines(path, source)
     byte_order: ByteOrder | None = None
     elements: list[Element] = []
@@ -126,7 +141,7 @@ def _header_lines(path: FilePath, source: Source) -> tuple[list[str], int]:
     if not start.startswith(b"ply") or start[3:4] not in (b"\n", b"\r", b" ", b"\t"):
         raise FileError(path, "is not a PLY file: it does not begin with 'ply'", where="byte 0")
     newline = b"\r" if start[3:4] == b"\r" and start[4:5] != b"\n" else b"\n"
-    head = bytes(source[:_HEAD_BYTES])
+    head = bytes(source[:HEAD_BYTES])
     lines: list[str] = []
     begin = 0
     while True:
