@@ -12,6 +12,7 @@ import json
 import os
 import platform
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -287,12 +288,23 @@ def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, 
         device = about["device"].replace(":", "")
         path = FOLDER / "results" / f"operations-{device}.json"
         path.parent.mkdir(exist_ok=True)
+        if path.exists():
+            content["other_processors"] = other_processors(content, json.loads(path.read_text()))
     from pointloom.core.atomic import atomic_write
 
     with atomic_write(path) as file:
         file.write((json.dumps(content, indent=1) + "\n").encode())
     print(f"Wrote {os.path.relpath(path)}", file=sys.stderr)
     return True
+
+
+def other_processors(content: dict[str, Any], before: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """The last runs on other processors than that of a run, by processor: date, commit, rows, rows ahead, median."""
+    ratios = [row["ratio"] for row in before["results"] if "ratio" in row]
+    last = {key: before[key] for key in ("date", "commit")}
+    last |= {"rows": len(ratios), "ahead": sum(ratio >= 1 for ratio in ratios), "median": statistics.median(ratios)}
+    known = {**before.get("other_processors", {}), before["machine"]["cpu"]: last}
+    return {cpu: about for cpu, about in known.items() if cpu != content["machine"]["cpu"]}
 
 
 if __name__ == "__main__":

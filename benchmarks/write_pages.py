@@ -12,6 +12,7 @@ import argparse
 import datetime
 import json
 import math
+import statistics
 import sys
 import textwrap
 from collections.abc import Iterator
@@ -151,13 +152,83 @@ def measured_table(run: dict[str, Any]) -> str:
             "(benchmarks/bench_*.py)"
         )
     ahead = sum(row["ratio"] >= 1 for row in rows)
-    lines += ["", f"pointloom is ahead in {ahead} of {len(rows)} rows. Rows behind, or below their target:", ""]
+    lines += ["", filled(f"pointloom is ahead in {ahead} of {len(rows)} rows. {medians(run)}"), ""]
+    lines += ["Rows behind, or below their target:", ""]
     lines += ["| operation | size | reason |", "|---|---|---|"]
     lines += [line([f"`{operation}`", size, REASONS[operation, size]]) for operation, size in below]
     if failed := run["problems"]["failed"]:
         lines += ["", "Baselines without a time, because they failed or their results differ:", ""]
         lines += [f"- {text}" for text in failed]
     return "\n".join(lines)
+
+
+def medians(run: dict[str, Any]) -> str:
+    """The median of the ratios on this processor and on others, beside the best baseline of each."""
+    texts = [f"The median of the ratios is {times(statistics.median(row['ratio'] for row in compared(run)))}"]
+    for cpu, about in run.get("other_processors", {}).items():
+        texts.append(
+            f"{times(about['median'])} on {cpu} ({day(about)}, commit {about['commit'][:8]}, ahead in "
+            f"{about['ahead']} of {about['rows']})"
+        )
+    return ", and ".join(texts) + "."
+
+
+def growth_beside_tables(run: dict[str, Any]) -> Iterator[str]:
+    """The sentence about the run, and for each operation the lines of pointloom and of the fastest other library."""
+    about = run["about"]
+    counts = sorted({int(count) for row in run["rows"].values() for sizes in row.values() for count in sizes})
+    yield filled(
+        f"A call each on {computer(about)}, {day(about)} (commit {about['commit'][:8]}): `python "
+        "benchmarks/growth.py`. The other library is the one that is fastest at the largest size that any other "
+        "reaches. The exponent p of n^p is that between the last two sizes of a line. Memory is the peak beside the "
+        "data at the largest size of both. A library leaves before a size that would take more than "
+        f"{about['limit']:g} s."
+    )
+    yield ""
+    yield line(["operation", "library", *(short(count) for count in counts), "exponent", "memory [MB]"])
+    yield "|" + "---|" * (len(counts) + 4)
+    for name, row in run["rows"].items():
+        done = {
+            label: {int(count): value for count, value in sizes.items() if "error" not in value}
+            for label, sizes in row.items()
+        }
+        others = [label for label, sizes in done.items() if label != "pointloom" and sizes]
+        best = min(others, key=lambda label: (-max(done[label]), done[label][max(done[label])]["seconds"]))
+        common = max(set(done["pointloom"]) & set(done[best]))
+        for label in ("pointloom", best):
+            sizes = done[label]
+            texts = [milliseconds(sizes[count]["seconds"]) if count in sizes else "" for count in counts]
+            last = sorted(sizes)[-2:]
+            p = math.log(sizes[last[1]]["seconds"] / sizes[last[0]]["seconds"]) / math.log(last[1] / last[0])
+            yield line([
+                f"`{name}`" if label == "pointloom" else "", label, *texts, f"{p:.2f}",
+                f"{sizes[common]['bytes'] / 1e6:.0f}",
+            ])  # fmt: skip
+
+
+def short(count: int) -> str:
+    return f"{count // 10**6}M" if count >= 10**6 else f"{count // 1000}k"
+
+
+def threads_tables(run: dict[str, Any]) -> Iterator[str]:
+    """The sentence about the run, and the speed-ups from one to two threads, the least first."""
+    about = run["about"]
+    yield filled(
+        f"The best of some calls each on {computer(about)}, {day(about)} (commit {about['commit'][:8]}): `python "
+        "benchmarks/threads.py`. The serial part is that of Amdahl's law, 2 / speed-up - 1 of the time of one thread."
+    )
+    yield ""
+    yield line(["operation", "size", "one thread", "two threads", "speed-up", "serial part", "best baseline"])
+    yield "|---|---|---|---|---|---|---|"
+    rows = []
+    for name, row in run["rows"].items():
+        one, two = row["seconds"]["pointloom"]
+        peer = row["seconds"][row["peer"]]
+        other = f"{row['peer']} {peer[0] / peer[1]:.2f}" if None not in peer else row["peer"]
+        serial = f"{max(2 * two / one - 1, 0):.0%}".replace("%", " %")
+        times_of = [milliseconds(one), milliseconds(two), f"{one / two:.2f}"]
+        rows.append((one / two, [f"`{name}`", row["size"], *times_of, serial, other]))
+    yield from (line(texts) for _, texts in sorted(rows))
 
 
 def growth_tables(run: dict[str, Any]) -> Iterator[str]:
@@ -187,6 +258,9 @@ def pages() -> dict[Path, str]:
     """The contents of the pages with the tables of the saved runs."""
     run, growth = load(OPERATIONS), load("scale-cpu.json")
     measured = replaced_between(MEASURED.read_text(), "bench", measured_table(run))
+    beside, threads = growth_beside_tables(load("growth-cpu.json")), threads_tables(load("threads-cpu.json"))
+    measured = replaced_between(measured, "growth beside", "\n".join(beside))
+    measured = replaced_between(measured, "threads", "\n".join(threads))
     return {
         README: replaced_between(README.read_text(), "bench", readme_table(run)),
         MEASURED: replaced_between(measured, "growth", "\n".join(growth_tables(growth))),

@@ -1,0 +1,103 @@
+"""Two threads against one: speed-up of each operation of `make bench`, beside that of its best baseline.
+
+    python benchmarks/threads.py [--only NAME] [--output FILE]
+
+Each operation runs at the last size of the saved `make bench`, each contestant in one process with one thread and core
+and in another with two. A run goes on where one of the same commit ended. The rows are saved in
+results/threads-cpu.json, from which write_pages.py makes the table of docs/measured.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER))
+
+from contest import POINTLOOM, limit_threads, operations  # noqa: E402
+from run import git, machine  # noqa: E402
+
+RESULTS = FOLDER / "results" / "threads-cpu.json"
+BENCH_RESULTS = FOLDER / "results" / "operations-cpu.json"
+SECONDS = 4.0  # of timed calls, of which the best counts
+MIN_CALLS = 2
+PROCESS_SECONDS = 600.0
+
+
+def run_one(name: str, size: str, label: str) -> float:
+    """Seconds of a contestant's call in this process."""
+    _, operation = operations()[name]
+    contestant, device = operation.contestant(label, "cpu")
+    scene = operation.scenes[size]()  # kept alive until the end, with its files
+    trial = contestant.trial(scene, device)
+    trial.once()
+    seconds: list[float] = []
+    while len(seconds) < MIN_CALLS or (sum(seconds) < SECONDS and len(seconds) < 100):
+        arguments = trial.arguments()
+        begin = time.perf_counter()
+        trial.call(*arguments)
+        seconds.append(time.perf_counter() - begin)
+    return min(seconds)
+
+
+def timed(name: str, size: str, label: str, threads: int) -> float | None:
+    """`run_one` in a process of its own with some threads. None if it fails."""
+    command = [sys.executable, __file__, "--one", name, size, label]
+    environment = os.environ | {"BENCH_THREADS": str(threads)}
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, timeout=PROCESS_SECONDS, check=False, env=environment
+        )
+    except subprocess.TimeoutExpired:
+        return None
+    return float(done.stdout.strip().splitlines()[-1]) if done.returncode == 0 else None
+
+
+def main() -> int:
+    if sys.argv[1:2] == ["--one"]:
+        limit_threads("cpu")
+        print(run_one(*sys.argv[2:5]))
+        return 0
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--only", action="append", help="operations whose names start with this")
+    parser.add_argument("--output", type=Path, default=RESULTS, metavar="FILE", help="JSON file of the rows")
+    options = parser.parse_args()
+    about = {
+        "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "commit": git("rev-parse", "HEAD"),
+        "machine": machine("cpu"),
+    }
+    run: dict[str, Any] = {"about": about, "rows": {}}
+    if options.output.exists():
+        saved = json.loads(options.output.read_text())
+        if saved["about"]["commit"] == about["commit"] and saved["about"]["machine"]["cpu"] == about["machine"]["cpu"]:
+            run = saved
+    from pointloom.core.atomic import atomic_write
+
+    last = {row["operation"]: row for row in json.loads(BENCH_RESULTS.read_text())["results"] if "ratio" in row}
+    for name, row in last.items():
+        if name in run["rows"] or (options.only and not any(name.startswith(start) for start in options.only)):
+            continue
+        size, peer = row["size"], row["best_peer"]
+        seconds = {label: [timed(name, size, label, threads) for threads in (1, 2)] for label in (POINTLOOM, peer)}
+        run["rows"][name] = {"size": size, "peer": peer, "seconds": seconds}
+        texts = [
+            f"{label} " + " -> ".join("none" if s is None else f"{s:.4f} s" for s in seconds[label])
+            for label in seconds
+        ]
+        print(f"{name:24} {size:20} {'   '.join(texts)}", flush=True)
+        with atomic_write(options.output) as file:
+            file.write((json.dumps(run, indent=1) + "\n").encode())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
