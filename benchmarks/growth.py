@@ -32,8 +32,7 @@ from run import git, machine  # noqa: E402
 RESULTS = FOLDER / "results" / "growth-cpu.json"
 BENCH_RESULTS = FOLDER / "results" / "operations-cpu.json"
 SIZES = (10_000, 100_000, 1_000_000, 10_000_000, 50_000_000)
-MANY = 300_000  # points above which a call is timed once: it takes long enough
-CALLS = 5  # of smaller sizes, the best of which counts
+CALLS, CALL_SECONDS = 6, 5.0  # at most so many calls, while all take less [s]; the best counts
 MEMORY_FRACTION = 0.7  # of the machine's memory for a call beside its data
 PROCESS_SECONDS = 900.0  # with its data and compilation
 
@@ -104,7 +103,7 @@ def run_one(name: str, count: int, label: str) -> dict[str, float]:
         return result
 
     taken = peak_bytes(Trial(timed_call, trial.setup))
-    for _ in range(CALLS if count < MANY else 0):
+    while len(seconds) < CALLS and sum(seconds) < CALL_SECONDS:
         timed_call(*trial.arguments())
     units = operation.unit_count(scene)
     return {"seconds": min(seconds) / units, "bytes": float(taken)}

@@ -178,9 +178,9 @@ def growth_beside_tables(run: dict[str, Any]) -> Iterator[str]:
     about = run["about"]
     counts = sorted({int(count) for row in run["rows"].values() for sizes in row.values() for count in sizes})
     yield filled(
-        f"A call each on {computer(about)}, {day(about)} (commit {about['commit'][:8]}): `python "
-        "benchmarks/growth.py`. The other library is the one that is fastest at the largest size that any other "
-        "reaches. The exponent p of n^p is that between the last two sizes of a line. Memory is the peak beside the "
+        f"The best of up to six calls on {computer(about)}, {day(about)} (commit {about['commit'][:8]}): `python "
+        "benchmarks/growth.py`. The other library is the best baseline of `make bench`. "
+        "The exponent p of n^p is that between the last two sizes of a line. Memory is the peak beside the "
         "data at the largest size of both. A library leaves before a size that would take more than "
         f"{about['limit']:g} s."
     )
