@@ -258,9 +258,10 @@ def pages() -> dict[Path, str]:
     """The contents of the pages with the tables of the saved runs."""
     run, growth = load(OPERATIONS), load("scale-cpu.json")
     measured = replaced_between(MEASURED.read_text(), "bench", measured_table(run))
-    beside, threads = growth_beside_tables(load("growth-cpu.json")), threads_tables(load("threads-cpu.json"))
-    measured = replaced_between(measured, "growth beside", "\n".join(beside))
-    measured = replaced_between(measured, "threads", "\n".join(threads))
+    for name, table in (("growth", growth_beside_tables), ("threads", threads_tables)):
+        if (FOLDER / "results" / f"{name}-cpu.json").exists():  # a page has their marks once they were measured
+            text = "\n".join(table(load(f"{name}-cpu.json")))
+            measured = replaced_between(measured, f"{name} beside others", text)
     return {
         README: replaced_between(README.read_text(), "bench", readme_table(run)),
         MEASURED: replaced_between(measured, "growth", "\n".join(growth_tables(growth))),
