@@ -12,6 +12,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
+from pointloom.cli.shell.next_command import next_command
 from pointloom.io.images.image_files import write_png
 from pointloom.io.points.formats import storing
 
@@ -512,3 +513,40 @@ def test_convert_prints_the_elements_of_a_ply_that_a_cloud_cannot_store(tmp_path
     (tmp_path / "a.ply").write_text(f"{head}element edge 1\nproperty int a\nend_header\n1 2 3\n0\n")
     result = run("convert", tmp_path / "a.ply", tmp_path / "b.pcd")
     assert "a cloud cannot store them: element 'edge'" in result.stderr and result.exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("files", "text"),
+    [
+        (["map.laz"], "pointloom view map.laz"),
+        (["my map.copc.laz", "path.log", "map.png"], "pointloom view 'my map.copc.laz' path.log"),
+        (["a.ply", "b.ply", "c.ply", "d.ply"], "pointloom view a.ply b.ply c.ply"),
+        (["dtm.tif", "report.html"], "pointloom view dtm.tif"),
+        (["report.html", "report.png"], "open report.html in a browser"),
+        (["pose.txt", "table.csv", "pose.json", "volume.npz"], ""),
+        ([], ""),
+    ],
+)
+def test_the_next_command_shows_the_written_files(files, text):
+    assert next_command(files) == text
+
+
+def test_reports_end_with_the_next_command(cloud, drive, frames, tmp_path):
+    mesh, page, poses = tmp_path / "m.glb", tmp_path / "page.html", tmp_path / "path.log"
+    ends = {
+        ("downsample", cloud, tmp_path / "a.ply", "--every", 3): f"pointloom view {tmp_path / 'a.ply'}",
+        ("mesh", cloud, mesh, "--method", "alpha", "--alpha", 1): f"pointloom view {mesh}",
+        ("view", cloud, "--save-html", page): f"open {page} in a browser",
+        ("odometry", drive, "-o", poses, "--voxel", 0.5): f"pointloom view {poses}",
+        ("track", frames, "-o", tmp_path / "track.log", "--voxel", 0.05): f"pointloom view {tmp_path / 'track.log'}",
+    }
+    for words, text in ends.items():
+        assert run(*words).stdout.splitlines()[-1].split(None, 1) == ["next", text], words
+    assert "next" not in answer("downsample", cloud, tmp_path / "b.ply", "--every", 3)
+    assert "next  " not in run("view", cloud, "--screenshot", tmp_path / "a.png").stdout
+    assert (
+        "next"
+        not in run(
+            "downsample", "-", "-", "--every", 3, "--from", "ply", "--to", "ply", content=cloud.read_bytes()
+        ).stderr
+    )

@@ -368,7 +368,7 @@ def test_the_summary_matches_the_library(scan, tmp_path):
     for word in ("of the vertices", "residual", "moved", "out.ply"):
         assert word in shown
     bare, frames = loom.read_triangle_mesh(scan / "bare.ply"), loom.open_dataset(scan / "room", every=2)
-    assert "\n".join(shown.splitlines()[1:-3]) == str(loom.meshing.texture_mesh(bare, frames))
+    assert "\n".join(shown.splitlines()[1:-4]) == str(loom.meshing.texture_mesh(bare, frames))
 
 
 @pytest.mark.slow
@@ -652,3 +652,15 @@ def test_an_interruption_leaves_nothing(sequence_folder, tmp_path, command):
         else:
             reconstruct_folder(sequence_folder, ModelOutputs(tmp_path / "mesh.ply"), progress=interrupt)
     assert names_in(tmp_path) == ["walk"]
+
+
+@pytest.mark.parametrize("command", ["fuse", "reconstruct"])
+def test_the_up_axis_of_a_model_can_be_given(sequence_folder, tmp_path, command):
+    ups = {}
+    for up in ("y", "z", None):
+        words = [command, sequence_folder, "-o", tmp_path / f"{up}.glb", "--every", 4, "--voxel", 0.06]
+        answer(*words, *([] if up is None else ["--up", up]))
+        ups[up] = loom.read_triangle_mesh(tmp_path / f"{up}.glb").up
+    assert ups["y"] == (0.0, 1.0, 0.0) and ups["z"] == (0.0, 0.0, 1.0) and ups[None] is not None
+    refused = run(command, sequence_folder, "-o", tmp_path / "a.ply", "--up", "z")
+    assert refused.exit_code == 2 and "--up z requires a .glb" in refused.stderr

@@ -16,7 +16,7 @@ from ...hostile import missing_from, public_arguments, read_table
 from ..argument_tests import argument_tests
 
 PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
-MAPS = 'ortho="ortho.tif", dem="dem.tif", cell=0.1'
+MAPS = 'ortho="ortho.tif", dem="dem.tif", cell=0.1, up="z"'
 CALLS = f"""
 loom.photogrammetry.reconstruct_video(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
 loom.photogrammetry.VideoSettings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING})

@@ -261,6 +261,20 @@ def test_depth_is_that_of_the_visible_surface(device):
     assert (depth[root < -0.5] == 0).all()
 
 
+def test_a_path_behind_a_wall_is_visible_in_images_and_not_in_depth_maps(device):
+    poses = np.tile(np.eye(4), (2, 1, 1))
+    poses[:, :3, 3] = [[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]
+    corners = [[-2, -2, -1], [2, -2, -1], [2, 2, -1], [-2, 2, -1]]  # between the path and the camera at z = -3
+    wall = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]])
+    path = {"geometry": loom.Trajectory(poses), "color": (1.0, 0.0, 0.0)}
+    view = straight_view(3.0)
+    image = loom.render([wall, path], view, device=device).astype(int)
+    assert ((image[..., 0] > 200) & (image[..., 1] < 60)).sum() > 20
+    hidden, depth = loom.render([wall, path], view, depth=True, device=device)
+    np.testing.assert_array_equal(hidden, loom.render(wall, view, device=device))
+    np.testing.assert_allclose(depth[depth > 0], 2.0, rtol=1e-4)
+
+
 def test_depth_of_lines_is_their_own(device):
     line = loom.LineSet([[-1, 0, 0], [1, 0, 0]], [[0, 1]])
     _, depth = loom.render({"geometry": line, "line_width": 3}, straight_view(2.0), depth=True, device=device)

@@ -13,6 +13,7 @@ from ...cameras.pose_files import check_trajectory_output, write_poses
 from ...cameras.trajectory import Trajectory
 from ...core.errors import FilePath
 from ...core.outputs import check_output
+from ...core.up_axis import check_up
 from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
@@ -22,11 +23,12 @@ from ...visualization.render.scene_view import draw_scene
 
 @dataclasses.dataclass(frozen=True)
 class ModelOutputs:
-    """Output files of a model: mesh (STL has no colors), image and poses."""
+    """Output files of a model: mesh (STL has no colors), image and poses. `up`: its up axis, else by its cameras."""
 
     mesh: FilePath
     picture: FilePath | None = None
     trajectory: FilePath | None = None
+    up: str | None = None
 
     def check(self, *, overwrite: bool) -> None:
         check_output(self.mesh, MESH_FORMATS, what="meshes", overwrite=overwrite)
@@ -37,6 +39,8 @@ class ModelOutputs:
 
     def write_mesh(self, mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, overwrite: bool) -> list[str]:
         """Write a mesh and its image from the side of the cameras. Returns the file names."""
+        if self.up is not None:
+            mesh.up = check_up(self.up)
         written = mesh
         if Path(self.mesh).suffix.lower() == ".stl":
             arrays = {name: mesh.arrays[name] for name in ("vertices", "triangles")}

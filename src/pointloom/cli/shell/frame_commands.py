@@ -18,8 +18,10 @@ from .options import (
     FORCE,
     JSON,
     LENGTH,
+    MODEL_UP,
     PICTURE,
     POSES,
+    check_up,
     frame_options,
     in_order,
     option,
@@ -47,7 +49,7 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 @option("--truncation=M", LENGTH, "Truncation distance of the TSDF [m]. Default: 4 voxels.")
 @option("--refine", bool, "Refine each pose against the model of the earlier frames.")
 @option("--trajectory=POSES", FILE, f"Write the poses used: {words(NUMBERED)}.")
-@in_order(DEVICE, PICTURE)
+@in_order(MODEL_UP, DEVICE, PICTURE)
 @record_option("the growing surface")
 @in_order(JSON, FORCE)
 def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
@@ -73,7 +75,7 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --refine --trajectory refined.log
     """
-    _refuse_same_outputs(output, options)
+    _check_outputs(output, options)
     from ..jobs.fuse import fuse_folder
     from .recording_command import recorded
 
@@ -133,7 +135,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 @option("--resume", bool, "Reuse the intermediate files of an earlier run.")
 @option("--config=JSON", FILE, "Settings, named as in Open3D's reconstruction system.")
 @option("--slac", bool, "Also estimate and correct the depth distortion.")
-@in_order(DEVICE, PICTURE)
+@in_order(MODEL_UP, DEVICE, PICTURE)
 @record_option("the trajectory and the model, or the stages of fragments")
 @in_order(JSON, FORCE)
 def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
@@ -154,7 +156,7 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
     pointloom reconstruct frames -o mesh.ply --method fragments --slac
     pointloom reconstruct frames -o mesh.ply --trajectory poses.log --intrinsic camera.json
     """
-    _refuse_same_outputs(output, options)
+    _check_outputs(output, options)
     by_fragments, only = options.pop("method") == "fragments", {name: options.pop(name) for name in ONLY_FRAGMENTS}
     for name, value in only.items():
         if value and not by_fragments:
@@ -179,12 +181,13 @@ def _folder_options(options: dict[str, Any]) -> FolderOptions:
 def _outputs(mesh: Path, options: dict[str, Any]) -> ModelOutputs:
     from ..jobs.model_outputs import ModelOutputs
 
-    return ModelOutputs(mesh, picture=options.pop("picture"), trajectory=options.pop("trajectory"))
+    return ModelOutputs(mesh, **{name: options.pop(name) for name in ("picture", "trajectory", "up")})
 
 
-def _refuse_same_outputs(output: Path, options: dict[str, Any]) -> None:
+def _check_outputs(output: Path, options: dict[str, Any]) -> None:
     others = {name: options[name] for name in ("picture", "trajectory")}
     refuse_same(output=output, **others, record=options["record_as"])
+    check_up(options["up"], output)
 
 
 COMMANDS = (fuse, track, reconstruct)

@@ -155,6 +155,9 @@ UP = option(
     f"Up axis of the data. {listed(UPRIGHT, 'and')} files are y-up, and z rotates them. Default: that of the data, if "
     "known, else y.",
 )
+MODEL_UP = option(
+    "--up", [*UPS], f"Up axis of the world, for {listed(UPRIGHT)}. Default: by the cameras, level in most frames."
+)
 ASCII = option("--ascii as_text", bool, f"Write {listed(WITH_TEXT_FORM)} as text. Default: binary.")
 
 

@@ -14,7 +14,21 @@ from ...io.points.formats import WRITTEN
 from .answer import answer_with
 from .console import Progress
 from .format_lists import words
-from .options import DEVICE, FILE, FORCE, JSON, PICTURE, SCALE, CompletedPath, in_order, option, refuse, refuse_same
+from .options import (
+    DEVICE,
+    FILE,
+    FORCE,
+    JSON,
+    MODEL_UP,
+    PICTURE,
+    SCALE,
+    CompletedPath,
+    check_up,
+    in_order,
+    option,
+    refuse,
+    refuse_same,
+)
 
 
 class KnownDistance(click.ParamType):
@@ -86,7 +100,7 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @option("--dem=TIF", FILE, "Write an elevation model in UTM, likewise.")
 @option("--cell=M", SCALE, "Cell size of --ortho and --dem [m].")
 @option("--seed=N", click.IntRange(min=0), "Random seed.", default=0)
-@in_order(DEVICE, PICTURE, JSON, FORCE)
+@in_order(MODEL_UP, DEVICE, PICTURE, JSON, FORCE)
 def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Reconstruct a colored mesh from VIDEO, or from the images in FOLDER. No other input is required.
 
@@ -135,6 +149,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
         refuse(f"--{given[0]} and --{given[1]} both define the unit; pass one of them")
     files = ("cloud", "trajectory", "picture", "training", "ortho", "dem")
     refuse_same(output=output, **{name: options[name] for name in files})
+    check_up(options["up"], output)
     if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
         refuse("--ortho and --dem require --cell, the side of their cells in meters")
     from ...photogrammetry.video.job import default_work_folder, reconstruct_video
@@ -149,7 +164,9 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     points_alone = output.suffix.lower() in set(WRITTEN) - set(MESH_FORMATS) and options["cloud"] is None
     if points_alone:
         options["cloud"] = output
-    outputs = VideoOutputs(None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell")})
+    outputs = VideoOutputs(
+        None if points_alone else output, **{name: options.pop(name) for name in (*files, "cell", "up")}
+    )
     folder = options["work"] or default_work_folder(source, outputs)
     resume = "--resume" if options["work"] and not options["resume"] else ""
     with Progress(kept=folder, resume=resume) as progress:

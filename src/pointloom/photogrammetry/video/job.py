@@ -18,7 +18,7 @@ from ...core.json_files import read_json_object
 from ...core.progress import ReportProgress
 from ...core.stages import Chain, StageResult
 from ...core.timing import peak_bytes_of_all
-from ...core.up_axis import UP
+from ...core.up_axis import UP, check_up
 from ...core.wording import few_of, json_text
 from ...core.work_folder import RunFolder
 from ...io.images.image_files import read_image_header
@@ -207,6 +207,7 @@ def _run(
         if figures.triangle_count:
             mesh = read_triangle_mesh(surface_made.folder / surface.MESH, device=device)
             mesh.up = UP if fit.is_upright else up_of_poses(model.T_world_camera)
+            mesh.up = mesh.up if outputs.up is None else check_up(outputs.up)
         else:
             reasons.append("the mesh is empty, and nothing was written; take more images")
     return VideoResult(

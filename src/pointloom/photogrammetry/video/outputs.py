@@ -15,6 +15,7 @@ from ...core.atomic import check_folder
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
+from ...core.up_axis import check_up
 from ...io.meshes.mesh_formats import MESH_FORMATS
 from ...io.meshes.tables import write_cloud_table, write_mesh_table
 from ...io.points.formats import WRITTEN
@@ -49,6 +50,7 @@ class VideoOutputs:
         ortho: Orthophoto of the mesh, a GeoTIFF (.tif) in UTM. Requires georeferenced photographs and `cell`.
         dem: Elevation model, likewise.
         cell: Cell size of both [m].
+        up: Up axis of the mesh, "y" or "z". If None: z with GPS, else that of the cameras, level in most images.
 
     Raises:
         TypeError, ValueError: Not a path or a length; `cell` without maps or vice versa; named in the message.
@@ -67,11 +69,14 @@ class VideoOutputs:
     ortho: FilePath | None = None
     dem: FilePath | None = None
     cell: float | None = None
+    up: str | None = None
 
     def __post_init__(self):
         for field in fields(self):
-            if field.name != "cell" and getattr(self, field.name) is not None:
+            if field.name not in ("cell", "up") and getattr(self, field.name) is not None:
                 check_path(field.name, getattr(self, field.name))
+        if self.up is not None:
+            check_up(self.up)
         if self.cell is not None:
             object.__setattr__(self, "cell", check_positive("cell", self.cell))
         if self._maps and self.cell is None:

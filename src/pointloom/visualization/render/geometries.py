@@ -323,6 +323,10 @@ def _outlined(outline: Callable[[Any], outlines.Segments]) -> Callable[[Any, Sty
     return lambda geometry, style, device: [_lines(outline(geometry), style, device)]
 
 
+def _of_trajectory(path: Trajectory, style: Style, device: DeviceLike) -> list[Part]:
+    return [dataclasses.replace(_lines(outlines.of_trajectory(path), style, device), in_front=True)]
+
+
 Entry = tuple[str, Callable[[Any, Style, Any], list[Part]]]
 
 _KINDS: list[tuple[type, Entry]] = [
@@ -331,7 +335,7 @@ _KINDS: list[tuple[type, Entry]] = [
     (VoxelGrid, ("voxels", _of_voxels)),
     (BoundingBox, ("box", _outlined(outlines.of_box))),
     (LineSet, ("lines", _outlined(outlines.of_line_set))),
-    (Trajectory, ("trajectory", _outlined(outlines.of_trajectory))),
+    (Trajectory, ("trajectory", _of_trajectory)),
     (ConvexHull, ("hull", _of_hull)),
     (SelectionPolygonVolume, ("volume", _outlined(outlines.of_volume))),
     (TSDFVolume, ("surface", _of_tsdf)),

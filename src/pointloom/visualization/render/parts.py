@@ -55,7 +55,8 @@ class Gaussians(Points):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Lines:
-    """Segments: int32 `indices` (2 m,) of `positions`, `colors` vec3 (m,) or of size 0, `width` [px]. See `Points`."""
+    """Segments: int32 `indices` (2 m,) of `positions`, `colors` vec3 (m,) or of size 0, `width` [px]. See `Points`.
+    In images, those `in_front` hide all else."""
 
     positions: Any
     origin: NDArray[np.float64]
@@ -64,6 +65,7 @@ class Lines:
     width: float = 1.5
     plain: Triple = PLAIN_LINE
     pose: Matrix | None = None
+    in_front: bool = False
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

@@ -154,7 +154,7 @@ def render(
     insets = overlays.inset_choices(width, height)
     look = look_of(placed, explicit_up) if camera is None else DEFAULT_LOOK
     view = resolve_view(camera, scene, width, height, inset_choices=insets, look=look)
-    drawing = scene.draw(view)
+    drawing = scene.draw(view, paths_in_front=not depth)
     picture = _written(drawing, backdrop, overlays)
     if not depth:
         return picture

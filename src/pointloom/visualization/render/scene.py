@@ -49,6 +49,7 @@ MAX_ELEMENTS = 2**31 - 1
 CELL_BYTES, PIXEL_BYTES = 16, 15  # z-buffer and buffer of point centers. Color and image
 LAYER_BYTES = 28  # per cell of transparent parts: two layers, a temporary one, and the remaining transmittance
 MIN_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
+IN_FRONT = 1e-3  # factor of the depths of paths in images: geometries nearer than this fraction still hide them
 GAP_CLOSING_RATIO = 2.2  # diameter over the mean point distance: leaves 2 % of gaps between random points
 # fraction of image squares in which neighbors must be at most as far apart as the diameter assumes
 MIN_CLOSED_FRACTION = 0.8
@@ -109,15 +110,17 @@ class Scene:
             extents.append(find_extremes(bounded.part.positions, local) + offset)  # sync
         return frame.view(np.max(extents, axis=0), float((self.high - self.low).max()))
 
-    def draw(self, view: View) -> Drawing:
-        return Drawing(self, view)
+    def draw(self, view: View, *, paths_in_front: bool = False) -> Drawing:
+        """The drawing. Its depth is that of the visible parts only without `paths_in_front`."""
+        return Drawing(self, view, paths_in_front)
 
 
 class Drawing:
     """The light and the z-buffer of a scene on the device."""
 
-    def __init__(self, scene: Scene, view: View):
+    def __init__(self, scene: Scene, view: View, paths_in_front: bool = False):
         camera = view.intrinsic
+        self._has_paths_in_front = paths_in_front
         cells = camera.width * CELLS_PER_PIXEL, camera.height * CELLS_PER_PIXEL
         need = cells[0] * cells[1] * CELL_BYTES + camera.width * camera.height * PIXEL_BYTES
         veils = [bounded for bounded in scene.parts if _is_veil(bounded)]
@@ -249,20 +252,25 @@ class Drawing:
     def _draw_lines(self) -> tuple[Lines, Region] | None:
         """Draw all lines as one part. Returns it and its region for shading."""
         lines = [p.part for p in self.scene.parts if isinstance(p.part, Lines) and p.box is not None]
-        lines = sorted((part for part in lines if part.indices.size), key=lambda part: part.width)
+        lines = sorted((part for part in lines if part.indices.size), key=self._pen_of)
         start, self.lines = self.stop, (self.stop, self.stop, 1.0)
         if not lines:
             return None
         merged = merge_lines(lines, self.scene.middle, self.device)
         view, drawn = self._view_in_cells(merged), 0
-        for width in dict.fromkeys(part.width for part in lines):
-            count = sum(part.indices.size // 2 for part in lines if part.width == width)
+        for width, in_front in dict.fromkeys(map(self._pen_of, lines)):
+            count = sum(part.indices.size // 2 for part in lines if self._pen_of(part) == (width, in_front))
             pen = Pen(max(width * CELLS_PER_PIXEL / 2, MIN_RADIUS), self.camera)
+            pen.closer = IN_FRONT if in_front else pen.closer
             run = merged.indices[2 * drawn : 2 * (drawn + count)]
             draw_lines(merged.positions, run, view, self.buffer, pen=pen, start=self._number(count))
             drawn += count
             self.lines = start, self.stop, pen.closer
         return merged, Region(start, self.stop, (0, 0, self.view.intrinsic.width, self.view.intrinsic.height))
+
+    def _pen_of(self, part: Lines) -> tuple[float, bool]:
+        """Width of lines [px], and whether they hide all else."""
+        return part.width, part.in_front and self._has_paths_in_front
 
     def _number(self, count: int) -> int:
         start = self.stop
