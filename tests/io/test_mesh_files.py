@@ -204,6 +204,20 @@ def test_values_unsupported_by_a_mesh_format_are_omitted_with_a_warning(tmp_path
     assert (tmp_path / "m.any").stat().st_size > 3000
 
 
+@pytest.mark.parametrize("values", [
+    np.array([1, 2, 2**60 + 1]), np.array([1, 2, 2**63 + 1], np.uint64), np.array([1.5, 2, 3], np.float16),
+    np.array([True, False, True]),
+])  # fmt: skip
+def test_attributes_that_ply_cannot_store_are_stored_in_the_format_that_the_warning_names(tmp_path, values):
+    mesh = loom.TriangleMesh(np.eye(3), [[0, 1, 2]], vertex_attributes={"k": values})
+    with pytest.warns(UserWarning, match=r"k left out.*\.ply stores everything but large 64.*which \.vtp stores"):
+        loom.write_triangle_mesh(tmp_path / "m.obj", mesh)
+    with pytest.raises(FileError, match="no type for"):
+        loom.write_triangle_mesh(tmp_path / "m.ply", mesh)
+    loom.write_triangle_mesh(tmp_path / "m.vtp", mesh)
+    np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "m.vtp").vertex_attributes["k"], values)
+
+
 @pytest.mark.parametrize("write", [write_obj, write_stl, write_off])
 def test_non_finite_vertex_is_rejected(tmp_path, write):
     nowhere = mesh_of(normals=False, colors=False)

@@ -24,6 +24,7 @@ from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.up_axis import AXES
 from ..color_space import srgb_to_linear
+from ..columns import PLY_STORES
 from ..images.image_files import encode_png
 from ..images.texture_files import alpha_mode, derived_name, image_names, write_with
 from ..table import MeshTable
@@ -86,7 +87,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh, left_out = storable_in_gltf(mesh)
     if left_out:
         names = ", ".join(name or repr(name) for name in left_out)
-        message = f"{path}: {names} left out, because glTF cannot store them; .ply stores everything"
+        message = f"{path}: {names} left out, because glTF cannot store them; {PLY_STORES}"
         warnings.warn(escaped(message), UserWarning, stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot store a mesh without triangles", remedy="Write .ply")

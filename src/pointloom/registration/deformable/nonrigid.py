@@ -424,7 +424,8 @@ class NonRigidResult(Report, Assessed):
 
     @property
     def is_rigid(self) -> bool:
-        """True if the source matches the target equally well without deformation."""
+        """True if the source matches the target nearly as well without deformation: 98% of the points, 1.1 of the
+        RMSE. Sparse or noisy scans of a rigid body can exceed it, because the deformation fits their noise."""
         return (
             self.rigid_matched >= 0.98 * self.matched
             and self.rigid_rmse <= 1.1 * self.rmse + RMSE_TOLERANCE * self.node_spacing
