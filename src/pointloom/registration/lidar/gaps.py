@@ -154,6 +154,7 @@ class ScannersInTurn(NamedTuple):
 def scanners_in_turn(steps: Sequence[OdometryStep], voxel_size: float) -> ScannersInTurn | None:
     """Recognize scans of several scanners by motions that repeat after as many scans, but are not those of one."""
     distinct = [step for step in steps[-4 * MAX_SCANNERS - 2 :] if step.status != REPEATED and step.is_sound]
+    distinct = distinct[-2 * MAX_SCANNERS - 1 :]  # two motions per scanner
     poses, found = [step.pose for step in distinct], None
     motions = [matmul(invert_pose(A), B) for A, B in itertools.pairwise(poses)]
     for count in range(2, MAX_SCANNERS + 1):
