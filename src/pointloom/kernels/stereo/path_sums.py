@@ -10,17 +10,35 @@ have the disparities of a pixel.
 
 from ..array_types import Array1, Bytes, Integers
 from ..arrays.lanes import min_int_of_lanes
-from ..lang import WARP, array, bit_count, compute, func, int32, kernel, lane, launch, sync_lanes, tid, uint8, uint16
+from ..lang import (
+    WARP,
+    array,
+    bit_count,
+    compute,
+    func,
+    int32,
+    kernel,
+    lane,
+    launch,
+    sync_lanes,
+    tid,
+    uint8,
+    uint16,
+    vector,
+)
 from ..memory import empty, full
 from .census import LANE_COUNT, lanes
 
 SMALL_STEP_PENALTY = 8  # penalty of a change by one disparity (P1)
 LARGE_STEP_PENALTY = 32  # penalty of any other change (P2)
 MAX_CODE_DISTANCE = 31  # cost without a code, the maximum distance of codes
-OUTSIDE_PATH_COST = 255  # path cost beyond the range of disparities, above any other
+OUTSIDE_PATH_COST = 200  # path cost beyond the range of disparities: above any other, plus P1 below 256
 PATHS_PER_ROW = 3  # from the previous row
 COLUMNS_PER_THREAD = 40  # per thread on the CPU
-NO_COST = 1 << 20
+NO_COST = 255  # above any path cost
+
+byte_lanes = vector(LANE_COUNT, uint8)
+sum_lanes = vector(LANE_COUNT, uint16)
 
 
 @func
@@ -28,6 +46,14 @@ def least_of(values: lanes) -> int:
     least = int(NO_COST)
     for k in range(LANE_COUNT):
         least = min(least, values[k])
+    return least
+
+
+@func
+def least_byte_of(values: byte_lanes) -> int:
+    least = int(NO_COST)
+    for k in range(LANE_COUNT):
+        least = min(least, int(values[k]))
     return least
 
 
@@ -51,6 +77,24 @@ def step_path(costs: lanes, before: array(dtype=uint8), b: int, low: int, after:
         values[k] = path_cost(costs[k], before, b + k, low)
     for k in range(LANE_COUNT):
         after[a + k] = uint8(values[k])
+    return values
+
+
+@func
+def step_path_of_bytes(
+    costs: byte_lanes, before: array(dtype=uint8), b: int, low: int, after: array(dtype=uint8), a: int
+) -> byte_lanes:
+    """`step_path` with a byte per disparity. All sums are below 256, so a byte is exact.
+
+    Only `step_down` has it: in `step_rows` it takes twice as long as `step_path`.
+    """
+    values = byte_lanes(uint8(0))
+    limit = int(uint8(low + LARGE_STEP_PENALTY))
+    for k in range(LANE_COUNT):
+        near = int(uint8(min(int(before[b + k - 1]), int(before[b + k + 1])) + SMALL_STEP_PENALTY))
+        values[k] = uint8(int(costs[k]) + min(min(int(before[b + k]), near), limit) - low)
+    for k in range(LANE_COUNT):
+        after[a + k] = values[k]
     return values
 
 
@@ -182,30 +226,33 @@ def step_down_kernel(
         low_left = lows_before[x]
         low_above = lows_before[row + x + 1]
         low_right = lows_before[2 * row + x + 2]
-        least_left = lanes(NO_COST)
-        least_above = lanes(NO_COST)
-        least_right = lanes(NO_COST)
+        least_left = byte_lanes(uint8(NO_COST))
+        least_above = byte_lanes(uint8(NO_COST))
+        least_right = byte_lanes(uint8(NO_COST))
         for chunk in range(count // LANE_COUNT):
             d = chunk * LANE_COUNT
             at = LANE_COUNT + (x + 1) * stride + d
-            c = lanes(0)
-            total = lanes(0)
+            c = byte_lanes(uint8(0))
+            total = sum_lanes(uint16(0))
             for k in range(LANE_COUNT):
-                c[k] = int(costs[cell + d + k])
-                total[k] = int(sums[cell + d + k])
-            from_left = step_path(c, before, at - stride, low_left, after, at)
-            from_above = step_path(c, before, at + row * stride, low_above, after, at + row * stride)
-            from_right = step_path(c, before, at + (2 * row + 1) * stride, low_right, after, at + 2 * row * stride)
+                c[k] = costs[cell + d + k]
+                total[k] = sums[cell + d + k]
+            from_left = step_path_of_bytes(c, before, at - stride, low_left, after, at)
+            from_above = step_path_of_bytes(c, before, at + row * stride, low_above, after, at + row * stride)
+            from_right = step_path_of_bytes(
+                c, before, at + (2 * row + 1) * stride, low_right, after, at + 2 * row * stride
+            )
             for k in range(LANE_COUNT):
-                total[k] = total[k] + from_left[k] + from_above[k] + from_right[k]
-                least_left[k] = min(least_left[k], from_left[k])
-                least_above[k] = min(least_above[k], from_above[k])
-                least_right[k] = min(least_right[k], from_right[k])
+                added = int(from_left[k]) + int(from_above[k]) + int(from_right[k])
+                total[k] = uint16(int(total[k]) + int(uint8(added)))
+                least_left[k] = uint8(min(int(least_left[k]), int(from_left[k])))
+                least_above[k] = uint8(min(int(least_above[k]), int(from_above[k])))
+                least_right[k] = uint8(min(int(least_right[k]), int(from_right[k])))
             for k in range(LANE_COUNT):
-                sums[cell + d + k] = uint16(total[k])
-        lows_after[x + 1] = least_of(least_left)
-        lows_after[row + x + 1] = least_of(least_above)
-        lows_after[2 * row + x + 1] = least_of(least_right)
+                sums[cell + d + k] = total[k]
+        lows_after[x + 1] = least_byte_of(least_left)
+        lows_after[row + x + 1] = least_byte_of(least_above)
+        lows_after[2 * row + x + 1] = least_byte_of(least_right)
 
 
 @step_down_kernel.on_cuda
