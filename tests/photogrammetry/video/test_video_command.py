@@ -300,7 +300,9 @@ def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_pa
     result = loom.photogrammetry.reconstruct_video(
         film, outputs=loom.photogrammetry.VideoOutputs("room.ply", cloud="cloud.ply"), **settings
     )
-    same = [line for line in shown.stdout.splitlines() if not line.startswith(("  seconds", "  memory"))]
+    *lines, following = shown.stdout.splitlines()
+    assert following.split() == ["next", "pointloom", "view", "room.ply", "cloud.ply"]
+    same = [line for line in lines if not line.startswith(("  seconds", "  memory"))]
     assert same == [line for line in str(result).splitlines() if not line.startswith(("  seconds", "  memory"))]
     assert json.loads((tmp_path / "work" / "report.json").read_text()) == json.loads(json.dumps(result.to_dict()))
     assert all(stage.is_reused for stage in result.stages.values())
