@@ -200,6 +200,14 @@ def test_errors_of_a_fraction_of_the_poses_are_unreliable(rng, align, matches):
     assert (report["compared"], report["estimate_poses"], report["truth_poses"]) == (matches, 50, 50)
 
 
+def test_times_of_two_clocks_are_named():
+    poses = np.tile(np.eye(4), (3, 1, 1))
+    estimate = Trajectory(poses, timestamps=np.arange(3.0))
+    truth = Trajectory(poses, timestamps=1.7e9 + np.arange(3.0) / 10)
+    with pytest.raises(ValueError, match=r"estimate, truth: .* 0 to 2 s and 1700000000 to 1700000000\.2 s"):
+        evaluate_trajectory(estimate, truth)
+
+
 @pytest.mark.parametrize(
     ("estimate", "truth", "reliable"),
     [

@@ -313,8 +313,17 @@ def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference
             for name, times in (("estimate", estimate.timestamps), ("truth", truth.timestamps)):
                 check_unit_of_seconds(name, times)
     if not len(pairs):
-        raise ValueError(f"estimate, truth: no two of their {len(estimate)} and {len(truth)} poses match in time")
+        spans = [_span_of(times) for times in (estimate.timestamps, truth.timestamps) if times is not None]
+        raise ValueError(
+            f"estimate, truth: expected times of one clock, got {' and '.join(spans)}: no two of their "
+            f"{len(estimate)} and {len(truth)} poses match in time"
+        )
     return pairs.astype(np.int64)
+
+
+def _span_of(times: NDArray[np.float64]) -> str:
+    """The first and the last time [s] in words."""
+    return f"{times.min():.16g} to {times.max():.16g} s" if len(times) else "none"
 
 
 def _by_number(estimate: Trajectory, truth: Trajectory) -> str:
