@@ -159,9 +159,9 @@ class Bounds(Selection, Movable):
     def compute_convex_hull(self, joggle_inputs: bool = False) -> tuple[ConvexHull, NDArray[np.int64]]:
         """Convex hull of the finite points.
 
-        Kernels discard points inside a coarse hull, Qhull computes the rest in float64. Coplanar points (to float32
-        rounding) give a flat, two-sided polygon. 40 B per point. Bitwise reproducible. Barber et al., "The Quickhull
-        algorithm for convex hulls", TOMS 1996.
+        Kernels discard points inside a coarse hull. The rest are inserted one by one in float64, or passed to Qhull if
+        more than three lie in a facet. Coplanar points (to float32 rounding) give a flat, two-sided polygon. 40 B per
+        point. Bitwise reproducible. Barber et al., "The Quickhull algorithm for convex hulls", TOMS 1996.
 
         Args:
             joggle_inputs: Let Qhull perturb its input by about 1e-11 of its size instead of merging facets.
