@@ -114,13 +114,19 @@ def test_docs_searches_chapters_by_words_and_numbers():
 WANTED = {
     "ground": "classify_ground", "stations": "register_stations", "change": "m3c2", "bag": "open_recording",
     "dtm": "rasterize", "e57": "read_", "volume cut": "m3c2", "gaussian": "GaussianSplats", "trimesh": "from_any",
-    "farthest": "loom.torch", "LAS": "read_point_cloud",
+    "farthest": "loom.torch", "LAS": "read_point_cloud", "gps": "LidarSLAM", "jacobian": "loom.torch",
+    "export contours": "pointloom ground, pointloom dtm, pointloom contours", "voxel grid origin": "tiling.",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("words", WANTED)
 def test_docs_finds_guides_and_public_names(words):
     assert WANTED[words] in run("docs", *words.split()).stdout
+
+
+def test_every_command_is_found_under_a_topic():
+    found = {command for entry in (*book.chapters(), *book.guides()) for command in entry.commands}
+    assert set(cli.commands) - found == {"completion", "docs"}
 
 
 def test_short_words_are_found_at_the_beginning_of_words_only():

@@ -466,7 +466,7 @@ def test_map_takes_positions_and_continues_a_map(drive, tmp_path):
     late = tmp_path / "late.txt"
     late.write_text("900 0 0 0\n901 1 0 0\n")
     report = unreliable("map", drive, "-o", tmp_path / "b.ply", *INDOORS, "--positions", late)
-    assert "within the times" in str(report["warnings"])
+    assert "the positions are from 900 to 901 s, the scans from " in str(report["warnings"])
 
 
 def test_map_rejects_invalid_calls_first(drive, tmp_path):

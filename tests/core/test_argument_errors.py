@@ -66,6 +66,21 @@ def test_an_unknown_keyword_is_answered_by_the_known_ones():
     assert not faults, "\n".join(faults)
 
 
+def test_single_numbers_in_place_of_a_vector_are_answered_by_the_call_with_a_list():
+    cloud, mesh = loom.PointCloud(np.eye(3)), loom.TriangleMesh.create_box()
+    box = loom.AxisAlignedBoundingBox((0, 0, 0), (1, 1, 1))
+    for shape in (cloud, mesh, box, box.get_oriented_bounding_box()):
+        with pytest.raises(TypeError, match=r"as one list: translate\(\[1, 0, 0\]\)$"):
+            shape.translate(1, 0, 0)
+    for shape in (cloud, mesh):
+        with pytest.raises(TypeError, match=r"as one list: paint_uniform_color\(\[0\.5, 0, 0\]\)$"):
+            shape.paint_uniform_color(0.5, 0, 0)
+    with pytest.raises(TypeError, match=r"AxisAlignedBoundingBox\(\[0, 0, 0\], \[1, 1, 1\]\)$"):
+        loom.AxisAlignedBoundingBox(0, 0, 0, 1, 1, 1)
+    with pytest.raises(TypeError, match=r"\(bounding_box, invert\), got 6$"):
+        cloud.crop(0, 0, 0, 1, 1, 1)
+
+
 def test_a_type_error_inside_a_function_is_unchanged():
     with pytest.raises(TypeError) as error:
         loom.asnumpy(object())

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from numpy.lib.recfunctions import structured_to_unstructured
 
 import pointloom as loom
 from pointloom.core.checks import check_count, check_positive, check_rigid, check_rows, check_seed, check_transformation
@@ -271,6 +272,20 @@ def test_attributes_that_arrays_depend_on_cannot_be_assigned(make, names):
     for name in names:
         with pytest.raises(AttributeError, match=name):
             setattr(made, name, getattr(made, name))
+
+
+def test_a_transformation_without_its_last_row_is_answered_by_the_row():
+    for shape in (loom.PointCloud(np.eye(3)), loom.TriangleMesh.create_box()):
+        with pytest.raises(ValueError, match=r"transformation: .* got \[3, 4\]; append the row \[0, 0, 0, 1\]"):
+            shape.transform(np.eye(4)[:3])
+
+
+def test_a_structured_array_is_answered_by_its_conversion():
+    rows = np.ones(2, [("x", "f4"), ("y", "f4"), ("z", "f4"), ("id", "i4")])
+    with pytest.raises(TypeError, match=r"points: .* fields x, y, z, id; pass .*structured_to_unstructured\(points"):
+        loom.PointCloud(rows)
+    points = structured_to_unstructured(rows[["x", "y", "z"]])
+    assert loom.PointCloud(points).points.tolist() == [[1, 1, 1]] * 2
 
 
 @pytest.mark.parametrize("value", [1 + 2j, np.complex128(1), np.complex64(1 + 2j), np.array(1 + 2j)])

@@ -3,13 +3,18 @@
 import copy
 import pickle
 import warnings
+from functools import partial
 
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.core.coordinate_systems import CoordinateSystem
+from pointloom.io.meshes.mesh_formats import MESH_FORMATS
+from pointloom.io.points.formats import WRITTEN
+from pointloom.io.points.header_units import WITH_SYSTEMS
 from pointloom.io.points.las_wkt import LostSystemWarning
+from pointloom.io.table import MeshTable, PointTable
 
 ZONE_32 = "EPSG:25832"
 CORNER = np.array([412300.0, 5651200.0, 120.0])  # in zone 32
@@ -127,20 +132,30 @@ def test_stations_have_the_system_of_their_world(cloud, tmp_path):
     assert loom.read_point_cloud(tmp_path / "a.e57").crs == 25832
 
 
-@pytest.mark.parametrize("extension", [".pts", ".xyzrgb"])
-def test_a_format_without_systems_warns(cloud, tmp_path, extension):
-    colored = cloud.without("quality").paint_uniform_color((1, 0, 0))
-    with pytest.warns(LostSystemWarning, match="cannot store the coordinate system EPSG:25832"):
-        loom.write_point_cloud(tmp_path / f"a{extension}", colored)
+@pytest.mark.parametrize("extension", WRITTEN)
+def test_a_cloud_format_stores_the_system_or_warns_and_names_those_that_do(cloud, tmp_path, extension):
+    full = cloud.without("quality").paint_uniform_color((1, 0, 0)).estimate_normals(max_nn=10)
+    write = partial(loom.write_point_cloud, drop_unsupported=True)
+    check_system(full, tmp_path / f"a{extension}", write, loom.read_point_cloud)
 
 
-@pytest.mark.parametrize("extension", [".obj", ".off", ".glb"])
-def test_a_mesh_format_without_systems_warns(mesh, tmp_path, extension):
+@pytest.mark.parametrize("extension", MESH_FORMATS)
+def test_a_mesh_format_stores_the_system_or_warns_and_names_those_that_do(mesh, tmp_path, extension):
     mesh.crs = 25832
-    with pytest.warns(LostSystemWarning, match="cannot store the coordinate system EPSG:25832"):
-        loom.write_triangle_mesh(tmp_path / f"a{extension}", mesh)
-    loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
-    assert loom.read_triangle_mesh(tmp_path / "a.ply").crs == 25832
+    check_system(mesh, tmp_path / f"a{extension}", loom.write_triangle_mesh, loom.read_triangle_mesh)
+
+
+def check_system(shape, path, write, read):
+    others = WITH_SYSTEMS[PointTable if isinstance(shape, loom.PointCloud) else MeshTable]
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", LostSystemWarning)
+        write(path, shape)
+    lost = [str(entry.message) for entry in caught if entry.category is LostSystemWarning]
+    if path.suffix in others:
+        assert not lost and read(path).crs == 25832
+    else:
+        named = f"{', '.join(others[:-1])} and {others[-1]}"
+        assert lost == [f"{path}: the format cannot store the coordinate system EPSG:25832; {named} can"]
 
 
 def test_the_argument_of_the_writer(cloud, tmp_path):

@@ -113,7 +113,7 @@ def mismatch(
         return TypeError(_unknown(call_name, unknown[0], kwargs[unknown[0]], keywords))
     positional = [p.name for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
     if len(given) > len(positional) and not any(p.kind is p.VAR_POSITIONAL for p in parameters):
-        return TypeError(_too_many(call_name, positional, keywords, given))
+        return TypeError(_too_many(call_name, positional, keywords, given) + _as_vectors(call_name, parameters, given))
     missing = [p.name for p in parameters if p.default is p.empty and p.name in keywords and p.name not in kwargs]
     missing = [name for name in missing if name not in positional[: len(given)]]
     if missing:
@@ -150,6 +150,17 @@ def _too_many(call_name: str, positional: list[str], keywords: list[str], given:
     call = f"{call_name.rpartition('.')[2]}({', '.join(first + rest)})"
     begins = f"after {', '.join(positional)}" if positional else "from the first one on"
     return f"{call_name}() takes its arguments by name {begins}: write {call}; it takes {', '.join(keywords)}"
+
+
+def _as_vectors(call_name: str, parameters: list[inspect.Parameter], given: list[Any]) -> str:
+    """The call with vectors if single numbers were given in their place, else ""."""
+    count = len(given) // 3
+    takes_arrays = all("ArrayLike" in str(parameter.annotation) for parameter in parameters[:count])
+    is_number = all(isinstance(value, int | float) for value in given)
+    if not (is_number and takes_arrays and len(given) == 3 * count and count <= len(parameters)):
+        return ""
+    vectors = ", ".join(repr(given[3 * k : 3 * k + 3]) for k in range(count))
+    return f"; pass three numbers as one list: {call_name.rpartition('.')[2]}({vectors})"
 
 
 def _short(value: object) -> str:

@@ -111,7 +111,8 @@ def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
 def check_shape(name: str, values: object, shape: tuple[int, ...], *, dtype: Any = np.float64) -> NDArray[Any]:
     array = check_numeric(name, values)
     if array.shape != shape:
-        raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
+        remedy = "; append the row [0, 0, 0, 1]" if (shape, array.shape) == ((4, 4), (3, 4)) else ""
+        raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}{remedy}")
     return array.astype(dtype, copy=False)
 
 
@@ -181,6 +182,8 @@ def check_numeric(name: str, values: object) -> NDArray[Any]:
     if array.dtype.kind not in "biuf" or array.dtype.isbuiltin == 2 or is_bfloat16:  # 2: float8 of jax
         kind = f"{type(values).__name__}{remedy_of_geometry(values)}"
         given = unreadable(values) or (kind if array.dtype == object else array.dtype)
+        if names := array.dtype.names:
+            given = f"fields {', '.join(names)}; pass numpy.lib.recfunctions.structured_to_unstructured({name}[[...]])"
         raise TypeError(f"{name}: expected real numbers, got {given}")
     return array
 

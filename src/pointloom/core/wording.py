@@ -47,6 +47,11 @@ def format_duration(seconds: float) -> str:
     return f"{minutes} min" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
 
 
+def format_times(first: float, last: float) -> str:
+    """The first and last time [s], with the digits of a clock since 1970. "none" if first > last."""
+    return f"{first:.16g} to {last:.16g} s" if first <= last else "none"
+
+
 def format_triple(values: Iterable[float]) -> str:
     return "[" + ", ".join(f"{value:.4f}" for value in values) + "]"
 

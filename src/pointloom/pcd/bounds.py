@@ -160,7 +160,7 @@ class Bounds(Selection, Movable):
         """Convex hull of the finite points.
 
         Kernels discard points inside a coarse hull. The rest are inserted one by one in float64, or passed to Qhull if
-        more than three lie in a facet. Coplanar points (to float32 rounding) give a flat, two-sided polygon. 40 B per
+        a facet has more than three. Coplanar points (to float32 rounding) give a flat, two-sided polygon. 40 B per
         point. Bitwise reproducible. Barber et al., "The Quickhull algorithm for convex hulls", TOMS 1996.
 
         Args:

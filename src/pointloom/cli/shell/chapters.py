@@ -27,12 +27,12 @@ class Guide:
     commands: tuple[str, ...]
     words: str
 
-    def speaks_of(self, words: tuple[str, ...]) -> bool:
-        """True if it contains all words."""
+    def count_of(self, words: tuple[str, ...]) -> int:
+        """How many of the words it contains."""
         text = " ".join([self.title, self.slug, *self.names, *self.commands, self.words]).lower()
         begins = re.split(r"[\s_.,:/]+", text)
         found = (any(w.startswith(word) for w in begins) or (len(word) > SHORT_WORD and word in text) for word in words)
-        return bool(words) and all(found)
+        return sum(found)
 
     def lines(self, page: str | None) -> list[str]:
         lines = ["loom." + ", loom.".join(self.names)] if self.names else []
@@ -50,16 +50,24 @@ class Chapter(Guide):
 
     number: int
 
-    def speaks_of(self, words: tuple[str, ...]) -> bool:
-        """True if it contains all words. A number is the chapter's own."""
+    def count_of(self, words: tuple[str, ...]) -> int:
+        """How many of the words it contains. A number is the chapter's own."""
         if len(words) == 1 and words[0].isdigit():
-            return int(words[0]) == self.number
-        return not words or super().speaks_of(words)
+            return int(int(words[0]) == self.number)
+        return super().count_of(words)
 
 
 @functools.cache
 def chapters() -> tuple[Chapter, ...]:
     return tuple(Chapter(**row) for row in _rows("chapter"))
+
+
+def entries_of(words: tuple[str, ...]) -> list[Guide]:
+    """The chapters and guides with all words, else with most of them. Without words the chapters."""
+    if not words:
+        return [*chapters()]
+    counts = {entry: entry.count_of(words) for entry in (*chapters(), *guides())}
+    return [entry for entry, count in counts.items() if count == max(1, *counts.values())]
 
 
 @functools.cache

@@ -51,7 +51,8 @@ def completion(shell: str | None, as_json: bool) -> int:
 @option("--skill", bool, "Print the guide for coding assistants.")
 @JSON
 def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int:
-    """List the chapters and guides of the documentation that contain all WORDS. A number is that of a chapter.
+    """List the chapters and guides of the documentation that contain all WORDS, or else most of them. A number is that
+    of a chapter.
 
     For each one: its Python functions (`help(loom.NAME)` has details and an example), the corresponding commands, and
     its page. Public names that contain the words follow. Without words: all chapters. Pages are those built by `make
@@ -63,7 +64,7 @@ def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int
     pointloom docs 11
     pointloom docs --skill > .claude/skills/pointloom/SKILL.md
     """
-    from .chapters import SKILL, Chapter, chapters, docs_location, guides, page_of, public_names
+    from .chapters import SKILL, Chapter, chapters, docs_location, entries_of, page_of, public_names
 
     if skill:
         if words or opens or as_json:
@@ -71,11 +72,11 @@ def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int
         click.echo(SKILL.read_text(encoding="utf-8"), nl=False)
         return 0
     words = tuple(word.lower() for word in words)
-    matches = [entry for entry in (*chapters(), *guides()) if entry.speaks_of(words)]
+    matches = entries_of(words)
     names = public_names(words) if words else []
     if not matches and not names:
         known = ", ".join(f"{chapter.number} {chapter.title}" for chapter in chapters())
-        refuse(f"no chapter, guide or public name contains {' '.join(words)}; the chapters are {known}")
+        refuse(f"no chapter, guide or public name contains {' or '.join(words)}; the chapters are {known}")
     location = docs_location()
     pages = [page_of(entry, location) for entry in matches]
     if opens:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from ...cameras.pose_text import LOST, parse_floats, pose_or_gap, read_lines, read_pose_or_gap
 from ...cameras.trajectory import read_poses_and_gaps
 from ...core.errors import DatasetError
+from ...core.wording import format_times
 from ..images.image_formats import IMAGES
 
 # Maximum time difference [s] of images and poses in a TUM folder, as in the benchmark's tools.
@@ -265,6 +266,7 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
         remedy = "Each depth map needs a pose, camera to world; open_frames takes frames without"
         raise DatasetError(truth, "missing", remedy=remedy)
     color_of: dict[int, int] | None = None
+    color_times = np.zeros(0)
     color_names: list[str] = []
     if (folder / "rgb.txt").is_file():
         color_times, color_names = _read_listing(folder, "rgb.txt")
@@ -291,8 +293,10 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
             color = folder / color_names[color_of[i]]
         frames.append(FrameFiles(Path(name).stem, folder / name, color, T_world_camera, time))
     if not frames:
+        listed = {"depth.txt": depth_times, "rgb.txt": color_times, "groundtruth.txt": pose_times}
+        spans = [f"{name} {format_times(times[0], times[-1])}" for name, times in listed.items() if len(times)]
         reason = f"no depth map has a pose and color within {TUM_TOLERANCE} s; the first: {left_out[0]}"
-        raise DatasetError(folder, reason, remedy="The clocks of depth.txt, rgb.txt and groundtruth.txt must agree")
+        raise DatasetError(folder, reason, remedy=f"The clocks must agree: {', '.join(spans)}")
     demand.pairing.extend((len(frames), min(sides)))
     return frames, left_out
 

@@ -19,6 +19,11 @@ from .las_wkt import LostSystemWarning
 
 T = TypeVar("T", PointTable, MeshTable)
 
+# Extensions of formats that store a coordinate system.
+WITH_SYSTEMS = {
+    PointTable: (".las", ".laz", ".ply", ".pcd", ".npz", ".vtk", ".vtp", ".e57"),
+    MeshTable: (".ply", ".vtk", ".vtp"),
+}
 PLY, PCD = ("comment", "end_header"), ("#", "DATA")  # what comments begin with, and the line that ends the header
 
 
@@ -92,7 +97,8 @@ def warn_of_lost_reference(path: FilePath, table: PointTable | MeshTable) -> Non
 def warn_of_lost_crs(path: FilePath, table: PointTable | MeshTable) -> None:
     """Warn that a format cannot store the coordinate system."""
     if table.crs is not None:
-        reason = f"the format cannot store the coordinate system {table.crs.name}; .las, .ply, .npz and .e57 do"
+        others = "{} and {}".format(", ".join(WITH_SYSTEMS[type(table)][:-1]), WITH_SYSTEMS[type(table)][-1])
+        reason = f"the format cannot store the coordinate system {table.crs.name}; {others} can"
         warn_of_units(f"{path}: {reason}", LostSystemWarning)
 
 

@@ -229,7 +229,8 @@ def read_copc(
     spacing, where = check_positive("spacing", spacing, allow_zero=True), resolve_device(device)
     library = library_for(arrays)
     if within is not None and not isinstance(within, AxisAlignedBoundingBox):
-        raise TypeError(f"within: expected an AxisAlignedBoundingBox, got {type(within).__name__}")
+        remedy = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
+        raise TypeError(f"within: expected an AxisAlignedBoundingBox, got {type(within).__name__}; {remedy}")
     low, high = (None, None) if within is None else (within.min_bound, within.max_bound)
     file = open_copc(path_of(path))
     return cloud_of(file.read(low, high, spacing), file.path, device=where, arrays=library)

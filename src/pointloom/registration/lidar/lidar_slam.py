@@ -176,7 +176,8 @@ class LidarSLAM(Serialized):
         self._state = self._saved = SlamState()
         self._first = self._session = 0  # first submap and number of this session
         self._time: float | None = None  # of the last scan in a submap
-        self._is_located = False  # True if positions were given
+        # First and last time [s] of the given positions, and of the ends of the scans with positions, [2, 2].
+        self._spans: Matrix | None = None
         self._builder: SubmapBuilder | None = None
         self._surfaces: SurfaceCache | None = None
         self._pending: list[NewScan] = []
@@ -326,13 +327,16 @@ class LidarSLAM(Serialized):
             return NewScan(number, end)
         if not isinstance(positions, PositionReadings):
             raise TypeError(f"positions: expected PositionReadings, got {type(positions).__name__}")
-        self._is_located = True
         times = point_times(scan, timestamps) if end is None else None
         if times is not None and len(scan):
             end = float(download(bound_times(scan.arrays["points"], times))[1])  # sync
         if end is None:
             raise ValueError("positions: expected a scan with a time, got none. Pass time=, or times of the points")
         end, before = check_time("time", end), self._pending[-1].time if self._pending else self._time
+        given = (positions.times[0], positions.times[-1]) if len(positions.times) else (np.inf, -np.inf)
+        spans = np.array([given, (end, end)])
+        known = spans if self._spans is None else self._spans
+        self._spans = np.stack([np.minimum(known, spans)[:, 0], np.maximum(known, spans)[:, 1]], axis=1)
         begin = end if before is None or before >= end else before
         rows = np.flatnonzero((positions.times > begin) & (positions.times <= end) | (positions.times == end))
         fractions = (positions.times[rows] - begin) / (end - begin) if end > begin else np.ones(len(rows))
@@ -566,6 +570,9 @@ class LidarSLAM(Serialized):
         used, refused = int((squares <= MAX_PRIOR_SQUARE).sum()), int((squares > MAX_PRIOR_SQUARE).sum())
         open_count = sum(map(len, self._builder.positions.values())) if self._builder is not None else 0
         counts = PositionCounts(used, refused, len(squares) - used - refused + open_count)
+        if self._spans is not None:
+            given, scans = self._spans.tolist()
+            counts = replace(counts, spans=((given[0], given[1]), (scans[0], scans[1])))
         if len(squares):
             counts = checked(counts, state.graph)
         points = [submap.point_count for submap in state.submaps]
@@ -573,7 +580,7 @@ class LidarSLAM(Serialized):
             self._odometry.summary,
             points,
             state.loops,
-            counts if len(squares) or self._is_located else None,
+            counts if len(squares) or self._spans is not None else None,
             self._session + 1,
             is_joined=self.is_joined,
         )

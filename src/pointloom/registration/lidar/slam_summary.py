@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...core.reports import Assessed, Fields, Report, failed, quality
-from ...core.wording import plain
+from ...core.wording import format_times, plain
 from .lidar_graph import SubmapGraph
 from .lidar_loops import ACCEPTED, AMBIGUOUS, WAITING, LidarLoop
 from .lidar_steps import OdometrySummary
@@ -26,6 +26,8 @@ class PositionCounts:
         clock: How late the times of the positions are by the path. None if unknown.
         tilt: Angle [rad] between the up axes of the first scan and of the positions. None if they are not aligned.
         axes: An expression of positions whose axes fit better by far. None if the axes fit, or none do.
+        spans: First and last time [s] of the positions, and of the ends of the scans. None without positions in this
+            session.
     """
 
     used: int
@@ -34,6 +36,7 @@ class PositionCounts:
     clock: ClockError | None = None
     tilt: float | None = None
     axes: str | None = None
+    spans: tuple[tuple[float, float], tuple[float, float]] | None = None
 
     @property
     def is_refused(self) -> bool:
@@ -50,7 +53,7 @@ class PositionCounts:
         compared = self.used + self.refused
         remedy = "check their axes" if self.axes is None else f"their axes may be permuted: {self.axes} fit"
         if not compared and not self.open:
-            return "no given position is within the times of the scans"
+            return f"no given position is within the times of the scans{self._spans_in_words()}"
         if not compared:
             rule = f"none of {self.open} positions could be aligned with the map: four over 10 sigmas must agree"
             return rule if self.axes is None else f"{rule}; {remedy}"
@@ -65,6 +68,12 @@ class PositionCounts:
                 f"{self.refused} of {compared} positions contradict the map: check their times, offset and sigma{also}"
             )
         return None
+
+    def _spans_in_words(self) -> str:
+        if self.spans is None:
+            return ""
+        given, scans = (format_times(*span) for span in self.spans)
+        return f": the positions are from {given}, the scans from {scans}. Both need one clock"
 
 
 @dataclass(frozen=True)
@@ -134,7 +143,8 @@ class LidarSLAMSummary(Report, Assessed):
         rows = [("submaps", f"{self.submap_count:,}, {self.point_count:,} points"), ("loops", loops)]
         rows += [("loop", f"{len(pairs):,} {word}: {_pairs(pairs)}") for word, pairs in self._others() if pairs]
         if (p := self.positions) is not None:
-            rows.append(("positions", f"{p.used:,} used, {p.refused:,} refused, {p.open:,} not compared with the map"))
+            counts = f"{p.used:,} used, {p.refused:,} refused, {p.open:,} not compared with the map"
+            rows.append(("positions", counts + (", of all sessions" if self.session_count > 1 else "")))
         if self.session_count > 1:
             joined = "joined with the map" if self.is_joined else "not joined with the map"
             rows.append(("session", f"{self.session_count}, {joined}"))

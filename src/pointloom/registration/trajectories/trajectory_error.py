@@ -22,7 +22,7 @@ from ...core.matched_counts import why_few_matched
 from ...core.quaternions import nearest_rotations
 from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.time_checks import check_unit_of_seconds
-from ...core.wording import format_fraction, plain
+from ...core.wording import format_fraction, format_times, plain
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm, solve
 from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, rotation_vector, scale_of
 
@@ -313,17 +313,13 @@ def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference
             for name, times in (("estimate", estimate.timestamps), ("truth", truth.timestamps)):
                 check_unit_of_seconds(name, times)
     if not len(pairs):
-        spans = [_span_of(times) for times in (estimate.timestamps, truth.timestamps) if times is not None]
+        both = (times for times in (estimate.timestamps, truth.timestamps) if times is not None)
+        spans = [format_times(times.min(initial=np.inf), times.max(initial=-np.inf)) for times in both]
         raise ValueError(
             f"estimate, truth: expected times of one clock, got {' and '.join(spans)}: no two of their "
             f"{len(estimate)} and {len(truth)} poses match in time"
         )
     return pairs.astype(np.int64)
-
-
-def _span_of(times: NDArray[np.float64]) -> str:
-    """The first and the last time [s] in words."""
-    return f"{times.min():.16g} to {times.max():.16g} s" if len(times) else "none"
 
 
 def _by_number(estimate: Trajectory, truth: Trajectory) -> str:
