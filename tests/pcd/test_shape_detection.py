@@ -103,6 +103,33 @@ def test_separate_regions_are_two_shapes(device, rng):
     assert len(loom.detect_shapes(cloud, 0.01, kinds="plane", max_shapes=1).shapes) == 1
 
 
+def box_on_a_sparse_floor(rng, device):
+    """A box without a bottom on a floor with a thirtieth of the points per area, and the number on the floor."""
+    box = loom.TriangleMesh.create_box(0.4, 0.3, 0.2).sample_points_uniformly(16_000, seed=1).points
+    floor = np.column_stack([rng.uniform(-1, 1, (4000, 2)), np.zeros(4000)])
+    points = np.vstack([box[box[:, 2] > 1e-6], floor])
+    return loom.PointCloud(points, device=device).estimate_normals(), len(floor)
+
+
+def test_a_sparse_plane_beside_dense_ones_is_detected(device, rng):
+    cloud, count = box_on_a_sparse_floor(rng, device)
+    found = loom.detect_shapes(cloud, 0.005, kinds="plane")
+    assert len(found.shapes) == 6 and max(shape.support for shape in found.shapes) > 0.95 * count
+    twice = loom.detect_shapes(loom.PointCloud.concatenate([cloud, cloud]), 0.005, kinds="plane")
+    assert len(twice.shapes) == 6 and max(shape.support for shape in twice.shapes) > 1.9 * count
+
+
+def test_a_plane_of_points_beyond_the_given_step_hides_no_others_and_is_reported(device, rng):
+    cloud, count = box_on_a_sparse_floor(rng, device)
+    found = loom.detect_shapes(cloud, 0.005, kinds="plane", cluster_epsilon=0.02)
+    assert len(found.shapes) == 5 and not found.reliable and found.labels.min() == -1
+    (floor,) = found.sparse
+    assert floor.kind == "plane" and floor.points > 0.95 * count and found.to_dict()["sparse"] == [list(floor)]
+    assert f"{floor.points:,} points on a plane are no shape" in str(found.warnings)
+    wider = loom.detect_shapes(cloud, 0.005, kinds="plane", cluster_epsilon=floor.step)
+    assert len(wider.shapes) == 6 and not wider.sparse
+
+
 def test_all_faces_of_a_box_are_detected(device):
     box = loom.TriangleMesh.create_box(0.4, 0.3, 0.2, device=device).sample_points_uniformly(6000, seed=1)
     result = loom.detect_shapes(box.estimate_normals(), 0.005, kinds="plane")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,13 +15,16 @@ from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.progress import ReportProgress
 from ..core.reports import Assessed, failed, quality
-from ..kernels.array_types import Indices, Integers
+from ..core.wording import plain
+from ..kernels.array_types import Doubles, Indices, Integers
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.quantiles import median_above_zero
+from ..kernels.arrays.select import gather_rows
 from ..kernels.lang import float32, int32
 from ..kernels.memory import full
-from ..kernels.search.distinct_points import without_copies
+from ..kernels.search.distinct_points import copies_of, without_copies
 from ..kernels.search.neighbor_distances import nearest_distances
+from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.plane_fit import label_rows
 from ..kernels.segmentation.shape_models import CONE, PLANE, SHAPE_NUMBERS
 from ..kernels.segmentation.shape_parts import largest_part, rows_labeled, write_distances
@@ -33,11 +37,23 @@ from .shape_checks import is_flat, is_open, plane_of, shape_of
 
 MIN_POINTS, MIN_FRACTION = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
 GAP_DISTANCES = 5.0  # maximum gap in a component, in median neighbor distances
+# Fraction of the points of a sparse surface that wider steps connect. Random points on a plane connect at 2.4 median
+# distances, and below that the largest part has a few percent.
+CONNECTED = 0.25
+SET_ASIDE = -2  # label of points that are left out of the search
 FIRST_BATCH, MAX_BATCH = 512, 8192  # samples per kind between evaluations
 MAX_CANDIDATES = 64  # candidates kept between rounds
 FITTED_CANDIDATES = 3  # candidates fitted per selection
 # Weights of support by kind, which prefer simpler shapes.
 KIND_WEIGHTS = dict(enumerate((1.0, 0.97, 0.95, 0.9, 0.85)))
+
+
+class SparseSurface(NamedTuple):
+    """Kind and number of points of a surface, and the `cluster_epsilon` [m] that connects them."""
+
+    kind: str
+    points: int
+    step: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,19 +65,26 @@ class DetectedShapes(Assessed):
         shapes: In order of detection, mostly by decreasing size.
         distances: float32 (n,), signed distance of each point from its shape [m], NaN for none.
         undecided: Kinds of which a shape may be missed, because `num_iterations` samples do not reach `probability`.
+        sparse: Surfaces that are no shape, because their points are further apart than `cluster_epsilon`.
     """
 
     labels: NDArray[np.int32]
     shapes: list[Shape]
     distances: NDArray[np.float32]
     undecided: tuple[str, ...] = ()
+    sparse: tuple[SparseSurface, ...] = ()
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks of the search and of each shape. Empty if all are reliable."""
         missed = f"shapes may be missed ({', '.join(self.undecided)}): use more num_iterations, or a larger min_support"
         each = [f"shape {k} ({shape.kind}): {one}" for k, shape in enumerate(self.shapes) for one in shape.warnings]
-        return failed(missed if self.undecided else None, *each)
+        sparse = [
+            f"{one.points:,} points on a {one.kind} are no shape, because less than min_support of them are within "
+            f"cluster_epsilon of each other: use {one.step:.2g} m"
+            for one in self.sparse
+        ]
+        return failed(missed if self.undecided else None, *sparse, *each)
 
     def __str__(self) -> str:
         lines = [f"{k}: {shape}" for k, shape in enumerate(self.shapes)]
@@ -71,8 +94,8 @@ class DetectedShapes(Assessed):
     def to_dict(self) -> dict[str, Any]:
         """Shapes and number of unassigned points in JSON's types, with `reliable` and `warnings`."""
         shapes = [shape.to_dict() for shape in self.shapes]
-        rest = {"unlabeled": int((self.labels < 0).sum()), "undecided": list(self.undecided)}
-        return {"shapes": shapes, **rest, **quality(self)}
+        rest = {"unlabeled": int((self.labels < 0).sum()), "undecided": list(self.undecided), "sparse": self.sparse}
+        return plain({"shapes": shapes, **rest, **quality(self)})
 
 
 @explain_argument_errors
@@ -103,7 +126,8 @@ def detect_shapes(
         normal_threshold_deg: Maximum unsigned angle between point and surface normals [degrees].
         kinds: Kinds of shapes to detect.
         min_support: Minimum points of a shape. If None: 1% of the points, at least 100.
-        cluster_epsilon: Maximum step between points of one shape [m]. If None: five median neighbor distances.
+        cluster_epsilon: Maximum step between points of one shape [m]. If None: five median neighbor distances of the
+            cloud, or of the shape's points if that connects a sparse surface.
         num_iterations: Maximum number of samples per kind.
         probability: Required probability that no shape of `min_support` points, or larger than the next, is missed.
         min_radius: Minimum radius of spheres, cylinders and torus tubes [m].
@@ -142,13 +166,11 @@ def detect_shapes(
     distances = full(len(cloud), math.nan, float32, cloud.device)
     shapes: list[Shape] = []
     undecided: tuple[str, ...] = ()
+    sparse: tuple[SparseSurface, ...] = ()
     search, limits = search_of(cloud, limits)
     if search.rows.size >= min_points and search.size > 0:
-        if epsilon is None:
-            tree = without_copies(cloud.search_tree())
-            apart = nearest_distances(tree, tree.source, others=True, missing=0.0)
-            epsilon = GAP_DISTANCES * float(median_above_zero(apart) or limits.distance)
-        rounds = _Rounds(search, limits, kind_numbers, min_points, epsilon, sampling, labels)
+        steps = _Steps(cloud.search_tree(), epsilon, limits.distance)
+        rounds = _Rounds(search, limits, kind_numbers, min_points, steps, sampling, labels)
         report_progress("shapes", 0, len(cloud))
         while len(shapes) < largest and (candidate := rounds.next_shape()) is not None:
             write_distances(rounds.search, candidate, distances)
@@ -156,7 +178,8 @@ def detect_shapes(
             rounds.remove(candidate, len(shapes) - 1)
             report_progress("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
         undecided = rounds.undecided() if len(shapes) < largest else ()
-    return DetectedShapes(cloud.arrays.hand_out(labels), shapes, cloud.arrays.hand_out(distances), undecided)
+        sparse = rounds.restored()
+    return DetectedShapes(cloud.arrays.hand_out(labels), shapes, cloud.arrays.hand_out(distances), undecided, sparse)
 
 
 class _Sampling(NamedTuple):
@@ -165,6 +188,35 @@ class _Sampling(NamedTuple):
     max_samples: int
     probability: float
     seed: int
+
+
+class _Steps:
+    """Maximum steps between points of one shape [m]: `given`, or else by the distances to the nearest points."""
+
+    def __init__(self, tree: PointTree, given: float | None, otherwise: float) -> None:
+        self._tree, self.given, self._otherwise = tree, given, otherwise
+
+    @functools.cached_property
+    def common(self) -> float:
+        """The step for dense surfaces."""
+        if self.given is not None:
+            return self.given
+        tree = without_copies(self._tree)
+        return GAP_DISTANCES * float(median_above_zero(_apart(tree)) or self._otherwise)
+
+    def of(self, rows: Indices) -> float:
+        """The step by the distances of some points. One sync."""
+        return GAP_DISTANCES * float(median_above_zero(gather_rows(self._distances, rows)) or 0.0)
+
+    @functools.cached_property
+    def _distances(self) -> Doubles:
+        """Distance of each point to the nearest other position."""
+        distinct = self._tree.distinct if copies_of(self._tree) is not None else None
+        return _apart(self._tree) if distinct is None else gather_rows(_apart(distinct.tree), distinct.rows)
+
+
+def _apart(tree: PointTree) -> Doubles:
+    return nearest_distances(tree, tree.source, others=True, missing=0.0)
 
 
 class _Rounds:
@@ -176,16 +228,18 @@ class _Rounds:
         limits: ShapeLimits,
         kinds: list[int],
         min_points: int,
-        epsilon: float,
+        steps: _Steps,
         sampling: _Sampling,
         labels: Integers,
     ) -> None:
         self.search, self.limits, self.labels = search, limits, labels
-        self._kinds, self._min_points, self._epsilon = kinds, min_points, epsilon
+        self._kinds, self._min_points, self._steps = kinds, min_points, steps
         self._sampling, self._batch = sampling, FIRST_BATCH
         self._drawn = dict.fromkeys(kinds, 0)  # samples per kind
         self._tried = dict.fromkeys(kinds, 0)  # samples since the last check for missed shapes
         self._has_detected = False  # a shape was detected since then, which most kept candidates may have been
+        self._sparse: list[tuple[SparseSurface, Indices]] = []  # surfaces whose parts are too small
+        self._set_aside: list[tuple[SparseSurface, Indices]] = []  # those whose points are left out of the search
         self._shapes, self._of, self._counts = (
             np.zeros((0, SHAPE_NUMBERS)),
             np.zeros(0, np.int64),
@@ -200,7 +254,7 @@ class _Rounds:
                 if candidate is not None:
                     return candidate
             if not self._open():
-                if not self._has_detected:
+                if not self._has_detected and not self._is_set_aside():
                     return None
                 self._tried, self._has_detected = dict.fromkeys(self._kinds, 0), False
                 continue
@@ -209,7 +263,29 @@ class _Rounds:
 
     def remove(self, candidate: DetectedShape, number: int) -> None:
         self._has_detected = True
-        label_rows(candidate.rows, number, self.labels)
+        self._label(candidate.rows, number)
+
+    def restored(self) -> tuple[SparseSurface, ...]:
+        """The surfaces whose points were left out of the search. Their points get the label of no shape."""
+        for _, rows in self._set_aside:
+            label_rows(rows, -1, self.labels)
+        return tuple(surface for surface, _ in self._set_aside)
+
+    def _is_set_aside(self) -> bool:
+        """Leave the points of the largest sparse surface out of the search: its candidates hide those of smaller ones.
+        False if there is none."""
+        left = [(surface, rows_labeled(self.labels, rows, -1)) for surface, rows in self._sparse]
+        self._sparse = [(surface, rows) for surface, rows in left if rows.size >= self._min_points]
+        if not self._sparse:
+            return False
+        surface, rows = max(self._sparse, key=lambda one: one[1].size)
+        self._set_aside.append((surface._replace(points=rows.size), rows))
+        self._label(rows, SET_ASIDE)
+        return True
+
+    def _label(self, labeled: Indices, label: int) -> None:
+        """Label points, and search among those without a label."""
+        label_rows(labeled, label, self.labels)
         rows = rows_labeled(self.labels, self.search.rows, -1)
         if rows.size < self._min_points:
             self.search.rows = rows
@@ -274,22 +350,39 @@ class _Rounds:
     def _refitted(self, refined: DetectedShape) -> DetectedShape | None:
         """Candidate fitted to its largest component. None if it is too small or of another kind."""
         search, kind = self.search, refined.kind
-        candidate = self._fitted(kind, refined.fit.shape, largest_part(search.points, refined.rows, self._epsilon))
+        part, step = self._largest_part(refined)
+        candidate = self._fitted(kind, refined.fit.shape, part, step)
         if candidate is not None and kind != PLANE and is_flat(search, candidate, plane := plane_of(search, candidate)):
-            candidate = self._fitted(PLANE, plane.shape, candidate.rows) if PLANE in self._kinds else None
+            candidate = self._fitted(PLANE, plane.shape, candidate.rows, step) if PLANE in self._kinds else None
         if candidate is not None and candidate.kind == CONE:
             low, high = bound_points(search.in_frame(candidate.fit.shape, candidate.rows))[:2]  # sync
             candidate = None if is_open(candidate, float(high[2] - low[2])) else candidate
         return candidate
 
-    def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> DetectedShape | None:
+    def _largest_part(self, refined: DetectedShape) -> tuple[Indices, float]:
+        """Rows of the largest part, and the step [m] that connects it: that of the candidate's own points if they are
+        sparse. With a given step, sparse surfaces are noted."""
+        step, points, is_given = self._steps.common, self.search.points, self._steps.given is not None
+        part = largest_part(points, refined.rows, step)
+        enough = self._min_points if is_given else max(self._min_points, CONNECTED * refined.rows.size)
+        if part.size >= enough or (own := self._steps.of(refined.rows)) <= step:
+            return part, step
+        wide = largest_part(points, refined.rows, own)
+        if wide.size < max(self._min_points, CONNECTED * refined.rows.size):
+            return part, step
+        if not is_given:
+            return wide, own
+        self._sparse.append((SparseSurface(KINDS[refined.kind], wide.size, own), wide))
+        return part, step
+
+    def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Indices, step: float) -> DetectedShape | None:
         """Shape fitted to points, with the largest component of its inliers. None if too small."""
         if rows.size < self._min_points:
             return None
         fit = self.search.fitter.fit(kind, shape, rows)
         if not self.limits.allow(kind, fit.shape):
             return None
-        part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), self._epsilon)
+        part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), step)
         return DetectedShape(kind, fit, part) if part.size >= self._min_points and not fit.reason else None
 
 
