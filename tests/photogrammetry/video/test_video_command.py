@@ -320,6 +320,18 @@ def test_requested_outputs_are_written_and_stages_are_reported(quick, film, tmp_
     assert quick.max_size == 100
 
 
+def test_a_given_up_axis_is_that_of_the_model_in_a_file(quick, film, tmp_path):
+    rows = {}
+    for up in ("y", "z"):
+        outputs = loom.photogrammetry.VideoOutputs(tmp_path / f"{up}.glb", up=up)
+        result = loom.photogrammetry.reconstruct_video(film, outputs=outputs, device="cpu", overwrite=True)
+        read = loom.read_triangle_mesh(tmp_path / f"{up}.glb")
+        assert read.up == result.mesh.up and np.allclose(read.vertices, result.mesh.vertices, atol=1e-5)
+        rows[up] = loom.read_triangle_mesh(tmp_path / f"{up}.glb", up="y").vertices
+    x, y, z = rows["z"].T
+    assert np.allclose(rows["y"], np.stack([x, -z, y], axis=1), atol=1e-5)
+
+
 def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, tmp_path):
     quick.reasons, quick.fraction = ["only 4 of 8 images could be placed: film more slowly"], 0.15
     first = loom.photogrammetry.reconstruct_video(film, work=tmp_path / "work")
