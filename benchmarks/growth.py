@@ -12,9 +12,7 @@ docs/measured.md by write_pages.py.
 from __future__ import annotations
 
 import argparse
-import datetime
 import json
-import subprocess
 import sys
 import time
 from collections.abc import Callable
@@ -27,7 +25,7 @@ sys.path.insert(0, str(FOLDER))
 import scenes  # noqa: E402
 from contest import POINTLOOM, Trial, limit_threads, operations  # noqa: E402
 from memory import peak_bytes, warm_up  # noqa: E402
-from run import git, machine  # noqa: E402
+from run import continued, in_own_process, write_json  # noqa: E402
 
 RESULTS = FOLDER / "results" / "growth-cpu.json"
 BENCH_RESULTS = FOLDER / "results" / "operations-cpu.json"
@@ -112,14 +110,8 @@ def run_one(name: str, count: int, label: str) -> dict[str, float]:
 def attempt(name: str, count: int, label: str) -> dict[str, Any]:
     """`run_one` in a process of its own, or the error."""
     command = [sys.executable, __file__, "--one", name, str(count), label]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=PROCESS_SECONDS, check=False)
-    except subprocess.TimeoutExpired:
-        return {"error": f"more than {PROCESS_SECONDS:.0f} s"}
-    if done.returncode:
-        lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
-        return {"error": lines[-1][:200]}
-    return json.loads(done.stdout.strip().splitlines()[-1])
+    row, error = in_own_process(command, PROCESS_SECONDS)
+    return row if error is None else {"error": error}
 
 
 def grow(name: str, sizes: list[int], limit: float, total_bytes: float) -> dict[str, Any]:
@@ -157,26 +149,13 @@ def main() -> int:
     parser.add_argument("--output", type=Path, default=RESULTS, metavar="FILE", help="JSON file of the rows")
     options = parser.parse_args()
     limit_threads("cpu")
-    about = {
-        "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "commit": git("rev-parse", "HEAD"),
-        "machine": machine("cpu"),
-        "limit": options.limit,
-    }
-    run: dict[str, Any] = {"about": about, "rows": {}}
-    if options.output.exists():
-        saved = json.loads(options.output.read_text())
-        if saved["about"]["commit"] == about["commit"] and saved["about"]["machine"]["cpu"] == about["machine"]["cpu"]:
-            run = saved
-    from pointloom.core.atomic import atomic_write
-
+    run = continued(options.output, {"limit": options.limit})
     for name in SCENES:
         if name in run["rows"] or (options.only and not any(name.startswith(start) for start in options.only)):
             continue
         sizes = [size for size in SIZES if size <= options.largest]
-        run["rows"][name] = grow(name, sizes, options.limit, about["machine"]["memory_gib"] * 2**30)
-        with atomic_write(options.output) as file:
-            file.write((json.dumps(run, indent=1) + "\n").encode())
+        run["rows"][name] = grow(name, sizes, options.limit, run["about"]["machine"]["memory_gib"] * 2**30)
+        write_json(options.output, run)
     return 0
 
 

@@ -275,6 +275,42 @@ def git(*arguments: str) -> str:
     return done.stdout.strip() if done.returncode == 0 else ""
 
 
+def in_own_process(command: list[str], seconds: float, **variables: str) -> tuple[Any, str | None]:
+    """The JSON in the last line that a command prints, and the error, one of them None. `variables` are added to the
+    environment."""
+    environment = os.environ | variables
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, check=False, env=environment)
+    except subprocess.TimeoutExpired:
+        return None, f"more than {seconds:.0f} s"
+    if done.returncode:
+        lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
+        return None, lines[-1][:200]
+    return json.loads(done.stdout.strip().splitlines()[-1]), None
+
+
+def continued(path: Path, about: dict[str, Any] | None = None) -> dict[str, Any]:
+    """The saved run of the same commit on the same processor, else a new one without rows."""
+    facts = {
+        "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "commit": git("rev-parse", "HEAD"),
+        "machine": machine("cpu"),
+    }
+    if path.exists():
+        saved = json.loads(path.read_text())
+        known = saved["about"]
+        if (known["commit"], known["machine"]["cpu"]) == (facts["commit"], facts["machine"]["cpu"]):
+            return saved
+    return {"about": facts | (about or {}), "rows": {}}
+
+
+def write_json(path: Path, content: dict[str, Any]) -> None:
+    from pointloom.core.atomic import atomic_write
+
+    with atomic_write(path) as file:
+        file.write((json.dumps(content, indent=1) + "\n").encode())
+
+
 def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, Any]) -> bool:
     """Write the document atomically to `--output`; without it, replace the device's results after a complete run.
 
@@ -290,10 +326,7 @@ def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, 
         path.parent.mkdir(exist_ok=True)
         if path.exists():
             content["other_processors"] = other_processors(content, json.loads(path.read_text()))
-    from pointloom.core.atomic import atomic_write
-
-    with atomic_write(path) as file:
-        file.write((json.dumps(content, indent=1) + "\n").encode())
+    write_json(path, content)
     print(f"Wrote {os.path.relpath(path)}", file=sys.stderr)
     return True
 

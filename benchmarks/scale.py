@@ -13,7 +13,6 @@ from __future__ import annotations
 import argparse
 import datetime
 import json
-import subprocess
 import sys
 import tempfile
 import time
@@ -28,7 +27,7 @@ import numpy as np  # noqa: E402
 import scenes  # noqa: E402
 from contest import Trial, limit_threads  # noqa: E402
 from memory import peak_bytes  # noqa: E402
-from run import machine  # noqa: E402
+from run import in_own_process, machine, write_json  # noqa: E402
 
 RESULTS = FOLDER / "results" / "scale-cpu.json"
 SMALL = 20_000
@@ -251,24 +250,15 @@ def main() -> int:
         print(f"{name:45s} {text_of(rows[-1])}", flush=True)
     path = options.output or (None if options.only or options.device != "cpu" else RESULTS)
     if path is not None:
-        from pointloom.core.atomic import atomic_write
-
-        with atomic_write(path) as file:
-            file.write((json.dumps({"about": about, "rows": rows}, indent=1) + "\n").encode())
+        write_json(path, {"about": about, "rows": rows})
     return 0
 
 
 def attempt(name: str, options: argparse.Namespace) -> dict[str, Any]:
     """Times and memory by size, or the error."""
     command = [sys.executable, __file__, "--one", name, "--points", str(options.points), "--device", options.device]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
-    except subprocess.TimeoutExpired:
-        return {"error": f"> {TIME_LIMIT} s"}
-    if done.returncode:
-        lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
-        return {"error": lines[-1][:200]}
-    return {"sizes": json.loads(done.stdout.strip().splitlines()[-1])}
+    sizes, error = in_own_process(command, TIME_LIMIT)
+    return {"sizes": sizes} if error is None else {"error": error}
 
 
 def text_of(row: dict[str, Any]) -> str:

@@ -10,20 +10,16 @@ results/threads-cpu.json, from which write_pages.py makes the table of docs/meas
 from __future__ import annotations
 
 import argparse
-import datetime
 import json
-import os
-import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Any
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))
 
 from contest import POINTLOOM, limit_threads, operations  # noqa: E402
-from run import git, machine  # noqa: E402
+from run import continued, in_own_process, write_json  # noqa: E402
 
 RESULTS = FOLDER / "results" / "threads-cpu.json"
 BENCH_RESULTS = FOLDER / "results" / "operations-cpu.json"
@@ -51,14 +47,7 @@ def run_one(name: str, size: str, label: str) -> float:
 def timed(name: str, size: str, label: str, threads: int) -> float | None:
     """`run_one` in a process of its own with some threads. None if it fails."""
     command = [sys.executable, __file__, "--one", name, size, label]
-    environment = os.environ | {"BENCH_THREADS": str(threads)}
-    try:
-        done = subprocess.run(
-            command, capture_output=True, text=True, timeout=PROCESS_SECONDS, check=False, env=environment
-        )
-    except subprocess.TimeoutExpired:
-        return None
-    return float(done.stdout.strip().splitlines()[-1]) if done.returncode == 0 else None
+    return in_own_process(command, PROCESS_SECONDS, BENCH_THREADS=str(threads))[0]
 
 
 def main() -> int:
@@ -70,18 +59,7 @@ def main() -> int:
     parser.add_argument("--only", action="append", help="operations whose names start with this")
     parser.add_argument("--output", type=Path, default=RESULTS, metavar="FILE", help="JSON file of the rows")
     options = parser.parse_args()
-    about = {
-        "date": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "commit": git("rev-parse", "HEAD"),
-        "machine": machine("cpu"),
-    }
-    run: dict[str, Any] = {"about": about, "rows": {}}
-    if options.output.exists():
-        saved = json.loads(options.output.read_text())
-        if saved["about"]["commit"] == about["commit"] and saved["about"]["machine"]["cpu"] == about["machine"]["cpu"]:
-            run = saved
-    from pointloom.core.atomic import atomic_write
-
+    run = continued(options.output)
     last = {row["operation"]: row for row in json.loads(BENCH_RESULTS.read_text())["results"] if "ratio" in row}
     for name, row in last.items():
         if name in run["rows"] or (options.only and not any(name.startswith(start) for start in options.only)):
@@ -94,8 +72,7 @@ def main() -> int:
             for label in seconds
         ]
         print(f"{name:24} {size:20} {'   '.join(texts)}", flush=True)
-        with atomic_write(options.output) as file:
-            file.write((json.dumps(run, indent=1) + "\n").encode())
+        write_json(options.output, run)
     return 0
 
 

@@ -121,9 +121,12 @@ def test_a_sparse_plane_beside_dense_ones_is_detected(device, rng):
 
 def test_a_plane_of_points_beyond_the_given_step_hides_no_others_and_is_reported(device, rng):
     cloud, count = box_on_a_sparse_floor(rng, device)
+    double = loom.PointCloud.concatenate([cloud, cloud])
+    twice = loom.detect_shapes(double, 0.005, kinds="plane", cluster_epsilon=0.02)
     found = loom.detect_shapes(cloud, 0.005, kinds="plane", cluster_epsilon=0.02)
     assert len(found.shapes) == 5 and not found.reliable and found.labels.min() == -1
     (floor,) = found.sparse
+    assert len(twice.shapes) == 5 and [row[:2] for row in twice.sparse] == [("plane", 2 * floor.points)]
     assert floor.kind == "plane" and floor.points > 0.95 * count and found.to_dict()["sparse"] == [list(floor)]
     assert f"{floor.points:,} points on a plane are no shape" in str(found.warnings)
     wider = loom.detect_shapes(cloud, 0.005, kinds="plane", cluster_epsilon=floor.step)

@@ -15,8 +15,6 @@ from ..core.escaped_text import escaped
 
 # Rounding errors of colors up to this are clipped. Larger ones are errors.
 COLOR_SLACK = 1e-3
-# Formats that store what a writer leaves out, in its warning. PLY has no type for the values of `.vtp`.
-PLY_STORES = ".ply stores everything but large 64-bit integers, float16 and booleans, which .vtp stores"
 
 
 @quiet()
@@ -133,7 +131,8 @@ def warn_of_loss(path: FilePath, what: str, reason: str, *, stacklevel: int = 3)
 def warn_left_out(path: FilePath, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
     """Warn at the writer's caller of content that the format cannot store. No-op without names."""
     if names:
-        message = f"{path}: {', '.join(names)} left out, because {format} cannot store them; {PLY_STORES}"
+        others = ".ply stores everything but large 64-bit integers, float16 and booleans, which .vtp stores"
+        message = f"{path}: {', '.join(names)} left out, because {format} cannot store them; {others}"
         warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 

@@ -16,6 +16,8 @@ from ..kernels.arrays.select import positions_of
 from .point_arrays import PointArrays
 from .stored_arrays import read_only
 
+BOX_REMEDY = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"  # of errors of other arguments
+
 
 class BoundingBox(KnownNames):
     """Base of bounding boxes: color and point tests."""

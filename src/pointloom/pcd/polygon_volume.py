@@ -23,7 +23,7 @@ from ..kernels.arrays.select import invert_mask, positions_of
 from ..kernels.extent.polygons import mask_polygon
 from ..kernels.lang import float64, vec2d, vec3d
 from ..kernels.memory import cast, upload
-from .bounding_box import BoundingBox
+from .bounding_box import BOX_REMEDY, BoundingBox
 from .point_arrays import PointArrays, check_cloud
 
 # Coordinates u and v of the polygon's plane, and the axis.
@@ -190,8 +190,7 @@ def mask_cropped(bounding_box: object, points: wp.array, origin: NDArray[np.floa
         return bounding_box.mask_points(points, origin)
     if isinstance(bounding_box, SelectionPolygonVolume):
         return mask_volume(bounding_box, points, origin)
-    remedy = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
-    raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
+    raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {BOX_REMEDY}")
 
 
 def _check_number(path: str | os.PathLike[str], value: object, key: str) -> None:

@@ -22,7 +22,7 @@ from ..kernels.arrays.quantiles import median_above_zero
 from ..kernels.arrays.select import gather_rows
 from ..kernels.lang import float32, int32
 from ..kernels.memory import full
-from ..kernels.search.distinct_points import copies_of, without_copies
+from ..kernels.search.distinct_points import without_copies
 from ..kernels.search.neighbor_distances import nearest_distances
 from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.plane_fit import label_rows
@@ -199,24 +199,22 @@ class _Steps:
     @functools.cached_property
     def common(self) -> float:
         """The step for dense surfaces."""
-        if self.given is not None:
-            return self.given
-        tree = without_copies(self._tree)
-        return GAP_DISTANCES * float(median_above_zero(_apart(tree)) or self._otherwise)
+        return self._by(self._distances, self._otherwise) if self.given is None else self.given
 
     def of(self, rows: Indices) -> float:
         """The step by the distances of some points. One sync."""
-        return GAP_DISTANCES * float(median_above_zero(gather_rows(self._distances, rows)) or 0.0)
+        distances, distinct = self._distances, self._tree.distinct
+        return self._by(gather_rows(distances, rows if distinct is None else gather_rows(distinct.rows, rows)), 0.0)
 
     @functools.cached_property
     def _distances(self) -> Doubles:
-        """Distance of each point to the nearest other position."""
-        distinct = self._tree.distinct if copies_of(self._tree) is not None else None
-        return _apart(self._tree) if distinct is None else gather_rows(_apart(distinct.tree), distinct.rows)
+        """Distance of each distinct position to the nearest other one."""
+        tree = without_copies(self._tree)
+        return nearest_distances(tree, tree.source, others=True, missing=0.0)
 
-
-def _apart(tree: PointTree) -> Doubles:
-    return nearest_distances(tree, tree.source, others=True, missing=0.0)
+    @staticmethod
+    def _by(distances: Doubles, otherwise: float) -> float:
+        return GAP_DISTANCES * float(median_above_zero(distances) or otherwise)
 
 
 class _Rounds:
@@ -238,7 +236,7 @@ class _Rounds:
         self._drawn = dict.fromkeys(kinds, 0)  # samples per kind
         self._tried = dict.fromkeys(kinds, 0)  # samples since the last check for missed shapes
         self._has_detected = False  # a shape was detected since then, which most kept candidates may have been
-        self._sparse: list[tuple[SparseSurface, Indices]] = []  # surfaces whose parts are too small
+        self._sparse: tuple[SparseSurface, Indices] | None = None  # the largest surface whose parts are too small
         self._set_aside: list[tuple[SparseSurface, Indices]] = []  # those whose points are left out of the search
         self._shapes, self._of, self._counts = (
             np.zeros((0, SHAPE_NUMBERS)),
@@ -274,17 +272,15 @@ class _Rounds:
     def _is_set_aside(self) -> bool:
         """Leave the points of the largest sparse surface out of the search: its candidates hide those of smaller ones.
         False if there is none."""
-        left = [(surface, rows_labeled(self.labels, rows, -1)) for surface, rows in self._sparse]
-        self._sparse = [(surface, rows) for surface, rows in left if rows.size >= self._min_points]
-        if not self._sparse:
+        if self._sparse is None:
             return False
-        surface, rows = max(self._sparse, key=lambda one: one[1].size)
-        self._set_aside.append((surface._replace(points=rows.size), rows))
-        self._label(rows, SET_ASIDE)
+        self._set_aside.append(self._sparse)
+        self._label(self._sparse[1], SET_ASIDE)
         return True
 
     def _label(self, labeled: Indices, label: int) -> None:
         """Label points, and search among those without a label."""
+        self._sparse = None  # found again among the points that are left
         label_rows(labeled, label, self.labels)
         rows = rows_labeled(self.labels, self.search.rows, -1)
         if rows.size < self._min_points:
@@ -372,7 +368,8 @@ class _Rounds:
             return part, step
         if not is_given:
             return wide, own
-        self._sparse.append((SparseSurface(KINDS[refined.kind], wide.size, own), wide))
+        if self._sparse is None or wide.size > self._sparse[1].size:
+            self._sparse = SparseSurface(KINDS[refined.kind], wide.size, own), wide
         return part, step
 
     def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Indices, step: float) -> DetectedShape | None:

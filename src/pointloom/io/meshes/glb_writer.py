@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import struct
-import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,10 +20,9 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write, check_writable
 from ...core.coordinates import quiet, split_origin
 from ...core.errors import FileError, FilePath
-from ...core.escaped_text import escaped
 from ...core.up_axis import AXES
 from ..color_space import srgb_to_linear
-from ..columns import PLY_STORES
+from ..columns import warn_left_out
 from ..images.image_files import encode_png
 from ..images.texture_files import alpha_mode, derived_name, image_names, write_with
 from ..table import MeshTable
@@ -85,10 +83,7 @@ class _Scene:
 def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh = mesh.checked()
     mesh, left_out = storable_in_gltf(mesh)
-    if left_out:
-        names = ", ".join(name or repr(name) for name in left_out)
-        message = f"{path}: {names} left out, because glTF cannot store them; {PLY_STORES}"
-        warnings.warn(escaped(message), UserWarning, stacklevel=4)
+    warn_left_out(path, "glTF", [name or repr(name) for name in left_out], stacklevel=4)
     if not len(mesh.triangles):
         raise FileError(path, "GLB cannot store a mesh without triangles", remedy="Write .ply")
     with quiet():

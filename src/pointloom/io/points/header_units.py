@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 from ...core.coordinate_systems import CoordinateSystem, check_crs
 from ...core.errors import FileError, FilePath
 from ...core.units import METRE, LengthUnit, is_same, text_of, unit_of_text, warn_of_units
+from ..file_formats import listed
 from ..source import HEAD_BYTES, MAX_HEADER_BYTES, Source, open_source
 from ..table import MeshTable, PointTable
 from .las_wkt import LostSystemWarning
@@ -97,7 +98,7 @@ def warn_of_lost_reference(path: FilePath, table: PointTable | MeshTable) -> Non
 def warn_of_lost_crs(path: FilePath, table: PointTable | MeshTable) -> None:
     """Warn that a format cannot store the coordinate system."""
     if table.crs is not None:
-        others = "{} and {}".format(", ".join(WITH_SYSTEMS[type(table)][:-1]), WITH_SYSTEMS[type(table)][-1])
+        others = listed(WITH_SYSTEMS[type(table)], "and")
         reason = f"the format cannot store the coordinate system {table.crs.name}; {others} can"
         warn_of_units(f"{path}: {reason}", LostSystemWarning)
 

@@ -32,7 +32,6 @@ _ROLES = (("x", "y", "z"), ("nx", "ny", "nz"), ("red", "green", "blue"), ("r", "
 
 ByteOrder = Literal["=", "<", ">"]
 
-
 _BYTE_ORDERS: dict[str, ByteOrder] = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 

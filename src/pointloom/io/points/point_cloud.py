@@ -22,6 +22,7 @@ from ...core.other_geometry import is_other
 from ...core.paths import path_of, recording_remedy
 from ...core.units import LengthUnit, warn_of_units
 from ...kernels.memory import download
+from ...pcd.bounding_box import BOX_REMEDY
 from ...pcd.boxes import AxisAlignedBoundingBox
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import VECTORS, check_cloud
@@ -229,8 +230,7 @@ def read_copc(
     spacing, where = check_positive("spacing", spacing, allow_zero=True), resolve_device(device)
     library = library_for(arrays)
     if within is not None and not isinstance(within, AxisAlignedBoundingBox):
-        remedy = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
-        raise TypeError(f"within: expected an AxisAlignedBoundingBox, got {type(within).__name__}; {remedy}")
+        raise TypeError(f"within: expected an AxisAlignedBoundingBox, got {type(within).__name__}; {BOX_REMEDY}")
     low, high = (None, None) if within is None else (within.min_bound, within.max_bound)
     file = open_copc(path_of(path))
     return cloud_of(file.read(low, high, spacing), file.path, device=where, arrays=library)
