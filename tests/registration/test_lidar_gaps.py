@@ -9,7 +9,14 @@ import pointloom as loom
 from pointloom.registration import LidarOdometry
 from pointloom.registration.lidar import lidar_odometry
 from pointloom.registration.lidar.deskewing import twist_of
-from pointloom.registration.lidar.gaps import MIN_GAP, ScanClock, intervals_between, motion_in, poses_after
+from pointloom.registration.lidar.gaps import (
+    MIN_GAP,
+    ScanClock,
+    intervals_between,
+    motion_in,
+    poses_after,
+    scanners_in_turn,
+)
 from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
 
 from ..products import few_quick
@@ -171,13 +178,7 @@ def test_a_doubtful_scan_stays_doubtful_unless_deskewing_makes_it_fit(monkeypatc
 
 
 def test_a_scan_that_fits_much_worse_is_reported():
-    steps = [
-        OdometryStep(
-            index=k, pose=np.eye(4), threshold=1.0, inliers=10, fitness=0.9, inlier_rmse=0.1, iterations=3,
-            converged=True, is_predicted=False, status="converged", is_doubtful=k == 1,
-        )
-        for k in range(3)
-    ]  # fmt: skip
+    steps = [sound_step(k, is_doubtful=k == 1) for k in range(3)]
     summary = summarize_steps(steps)
     assert summary.doubtful == (1,) and not summary.reliable
     assert "1 of 3 scans fit the map much worse than those before (scan 1)" in summary.warnings[0]
@@ -230,6 +231,23 @@ def test_scans_of_one_scanner_are_not_in_turn(device, dropped):
         if k not in dropped:
             odometry.register(scan_at(scene, 0.8 * k, device, seed=k))
     assert odometry.summary.in_turn == () and odometry.summary.scanners == 1
+
+
+@pytest.mark.parametrize("turn", [0.0, 15.0], ids="{} degrees per scan".format)
+@pytest.mark.parametrize(("angle", "shift", "count"), [(11, 0, 2), (0, 1.6, 2), (9, 0, 0), (0, 1.4, 0), (0, 0, 0)])
+def test_scanners_in_turn_differ_by_ten_degrees_or_one_and_a_half_voxels(turn, angle, shift, count):
+    mounts = as_pose(), as_pose([0, np.radians(angle), 0], [0, 0, 0.5 * shift])
+    motion = as_pose([0, 0, np.radians(turn)], [0.8, 0, 0])
+    steps = [sound_step(k, np.linalg.matrix_power(motion, k) @ mounts[k % 2]) for k in range(9)]
+    found = scanners_in_turn(steps, voxel_size=0.5)
+    assert (found.scanners if found else 0) == count
+
+
+def sound_step(index, pose=as_pose(), **values):
+    return OdometryStep(
+        index=index, pose=pose, threshold=1.0, inliers=10, fitness=0.9, inlier_rmse=0.1, iterations=3,
+        converged=True, is_predicted=False, status="converged", **values,
+    )  # fmt: skip
 
 
 def counted(monkeypatch, name):

@@ -44,6 +44,9 @@ MAX_SCANNERS = 3  # whose scans are recognized if they come in turn
 # with each scan. ICP covers smaller differences.
 MIN_SCANNER_ANGLE, MIN_SCANNER_VOXELS = math.radians(10), 1.5
 SAME_MOTION = 0.25  # of this difference: changes of the motion of one scanner, and errors of the poses
+# Of this difference: motions that are so alike are within half of it of their mean, whatever the number of scanners, if
+# they turn by at most MAX_STEADY_ANGLE: three of them by a quarter turn, so that the mean is unique.
+STEADY, MAX_STEADY_ANGLE = 0.125, math.radians(30)
 
 
 @dataclass(frozen=True)
@@ -156,6 +159,8 @@ def scanners_in_turn(steps: Sequence[OdometryStep], voxel_size: float) -> Scanne
     distinct = [step for step in steps[-4 * MAX_SCANNERS - 2 :] if step.status != REPEATED and step.is_sound]
     distinct = distinct[-2 * MAX_SCANNERS - 1 :]  # two motions per scanner
     poses, found = [step.pose for step in distinct], None
+    if len(poses) < 5 or _is_steady(np.array(poses), voxel_size):
+        return None
     motions = [matmul(invert_pose(A), B) for A, B in itertools.pairwise(poses)]
     for count in range(2, MAX_SCANNERS + 1):
         last = motions[-2 * count :]
@@ -169,6 +174,22 @@ def scanners_in_turn(steps: Sequence[OdometryStep], voxel_size: float) -> Scanne
             turn = ScannersInTurn(count, last[-count], sweep, distinct[-count])
             found = turn if found is None or turn.rotation < found.rotation else found
     return found
+
+
+def _is_steady(poses: Matrix, voxel_size: float) -> bool:
+    """True if the motions between poses [n, 4, 4] are too much alike to be those of several scanners."""
+    R = poses[:-1, :3, :3]
+    turns = np.einsum("nji,njk->nik", R, poses[1:, :3, :3])
+    shifts = np.einsum("nji,nj->ni", R, np.diff(poses[:, :3, 3], axis=0))
+    angle = _angle(turns - turns[-1])
+    way = max(np.linalg.norm(shifts - shifts[-1], axis=1).max(), angle * np.linalg.norm(shifts, axis=1).max())
+    is_alike = angle < STEADY * MIN_SCANNER_ANGLE and way < STEADY * MIN_SCANNER_VOXELS * voxel_size
+    return bool(is_alike and _angle(turns - np.eye(3)) < MAX_STEADY_ANGLE)
+
+
+def _angle(differences: Matrix) -> float:
+    """The largest angle between rotations, as chord 2 sin(angle / 2), of their differences [n, 3, 3]."""
+    return float(np.sqrt((differences * differences).sum(axis=(1, 2)).max() / 2))
 
 
 def _change(A: Matrix, B: Matrix, voxel_size: float) -> float:
