@@ -9,6 +9,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+from pointloom.cli.shell.chapters import guides
 from pointloom.io.meshes.mesh_formats import MESH_FORMATS
 from pointloom.io.points.formats import CLOUD_FORMATS, WRITTEN
 
@@ -59,8 +60,8 @@ def bring(docs: Path) -> None:
 
 
 def rewrite_links(page: str, text: str) -> str:
-    """Replace the relative links of a Markdown page by those of the site, and insert the index into the guides and the
-    lists of formats.
+    """Replace the relative links of a Markdown page by those of the site, and insert the index into the guides, the
+    lists of formats and the additional search words of `pointloom docs`.
 
     Links to files outside the site become addresses in the repository, or plain text if no repository is set.
 
@@ -79,7 +80,13 @@ def rewrite_links(page: str, text: str) -> str:
         return _link(page, origin, bang, words, target, part or "")
 
     parts = (block if block.startswith("```") else _LINK.sub(link, block) for block in _BLOCK.split(text))
-    return with_address("".join(parts), LOCATION["repository"])
+    return _keywords(page) + with_address("".join(parts), LOCATION["repository"])
+
+
+def _keywords(page: str) -> str:
+    """The search words of a guide as front matter, which Sphinx indexes."""
+    words = next((guide.words for guide in guides() if guide.slug == page), "")
+    return f'---\nmyst:\n  html_meta:\n    keywords: "{", ".join(words.split())}"\n---\n' if words else ""
 
 
 def listed_formats(kind: str) -> str:
