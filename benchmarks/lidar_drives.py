@@ -50,8 +50,7 @@ import numpy as np
 from bench_odometry import GRAVITY, IMU_RATE, nanoseconds
 from city import SCAN_PERIOD, CityDrive, Scenario, load_drive
 from contest import limit_threads, thread_count
-from memory import _release_memory as release_memory
-from memory import _resident as resident_bytes
+from memory import release_memory, resident_bytes
 from numpy.typing import NDArray
 from real_data import DataMissingError, real_data
 
@@ -256,7 +255,7 @@ def run_here(name: str, scenario: Scenario, device: str = "cpu") -> Outcome:
     before, start = resident_bytes(), time.perf_counter()
     outcome = run(scenario, drive, watched)
     outcome.seconds = time.perf_counter() - start
-    outcome.bytes = max(0, peak_bytes() - before)
+    outcome.bytes = max(0, resident_bytes("VmHWM") - before)
     outcome.kilometers = tuple((moment - start, size - before) for moment, size in watched.readings)
     return outcome
 
@@ -273,11 +272,6 @@ class WatchedScans(list[tuple[NDArray[np.float32], Times]]):
             if distance >= 1000 * (len(self.readings) + 1):
                 self.readings.append((time.perf_counter(), resident_bytes()))
             yield scan
-
-
-def peak_bytes() -> int:
-    lines = Path("/proc/self/status").read_text().splitlines()
-    return next(1024 * int(line.split()[1]) for line in lines if line.startswith("VmHWM"))
 
 
 def run_apart(name: str, scenario: Scenario) -> Outcome | str:

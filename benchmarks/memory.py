@@ -3,8 +3,8 @@
     python benchmarks/memory.py MODULE OPERATION SIZE CONTESTANT [DEVICE]
 
 prints {"bytes": ...}: the peak memory during the operation minus the memory before it, after loading the data and
-compiling kernels on small data. On the CPU this is resident memory (ru_maxrss), with freed memory released first; on a
-GPU it is device memory.
+compiling kernels on small data. On the CPU this is resident memory, with freed memory released first; on a GPU it is
+device memory. ru_maxrss, the usual peak, also counts that of the program that started the process.
 """
 
 from __future__ import annotations
@@ -22,28 +22,29 @@ from contest import POINTLOOM, Contestant, Operation, Trial, limit_threads
 
 def peak_bytes(trial: Trial) -> int:
     """Additional resident memory [bytes] of one call, including its set-up."""
-    _release_memory()
-    before = _resident()
+    release_memory()
+    before = resident_bytes()
     result = trial.once()
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    peak = resident_bytes("VmHWM")
     del result
     return max(0, peak - before)
 
 
-def _release_memory() -> None:
+def release_memory() -> None:
     """Release freed memory and reset the high-water mark, which would hide the call's memory."""
     gc.collect()
     try:
         ctypes.CDLL(None).malloc_trim(0)
-        Path("/proc/self/clear_refs").write_text("5")  # Linux: resets ru_maxrss to the current resident memory
+        Path("/proc/self/clear_refs").write_text("5")  # Linux: resets the peak to the current resident memory
     except (OSError, AttributeError):
         return
 
 
-def _resident() -> int:
+def resident_bytes(field: str = "VmRSS") -> int:
+    """Resident memory [bytes] now, VmRSS, or its peak, VmHWM; elsewhere than on Linux always the peak."""
     try:
         lines = Path("/proc/self/status").read_text().splitlines()
-        return next(1024 * int(line.split()[1]) for line in lines if line.startswith("VmRSS"))
+        return next(1024 * int(line.split()[1]) for line in lines if line.startswith(field))
     except (OSError, StopIteration):
         return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
 

@@ -21,6 +21,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 import pointloom as loom
+from pointloom.core.timing import peak_bytes
 from pointloom.tiling.jobs.job import open_manifest
 
 SIZE, WIDTH, APART, ERROR = 0.12, 2.4, 1.5, 0.3  # [m]
@@ -73,8 +74,9 @@ def measure(folder: Path, count: int, workers: int) -> dict[str, Any]:
         "task_ms": 1e3 * seconds / tasks,
         "manifest_ms_a_task": None if workers else 1e3 * (ran - seconds) / tasks,
     }
-    peak = resource.getrusage(resource.RUSAGE_CHILDREN if workers else resource.RUSAGE_SELF).ru_maxrss / 1024
-    report |= {"peak_mb": round(peak), "worst_off_m": float(errors.max()), "median_off_m": float(np.median(errors))}
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024 if workers else peak_bytes()
+    report |= {"peak_mb": round(peak / 2**20)}
+    report |= {"worst_off_m": float(errors.max()), "median_off_m": float(np.median(errors))}
     return report | {"not_placed": [Path(path).name for path in result.not_placed]}
 
 

@@ -204,7 +204,15 @@ def test_peak_memory_is_counted_in_bytes_from_the_unit_of_the_system(system, uni
     usage.getrusage = lambda who: SimpleNamespace(ru_maxrss=peaks[who])
     monkeypatch.setitem(sys.modules, "resource", usage)
     monkeypatch.setattr(sys, "platform", system)
+    monkeypatch.setattr(timing, "peak_of_process", lambda: 0)
     assert (peak_bytes(), peak_bytes_of_all()) == (7 * unit, 9 * unit)
+
+
+def test_peak_memory_is_not_that_of_the_program_that_started_the_process():
+    ballast = np.ones(2**26)
+    code = "from pointloom.core.timing import peak_bytes; print(peak_bytes())"
+    started = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert int(started.stdout) < ballast.nbytes < peak_bytes()
 
 
 def test_windows_reports_peak_memory(monkeypatch):

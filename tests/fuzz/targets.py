@@ -194,6 +194,7 @@ MODULES: dict[str, tuple[str, ...] | LeftOut] = {
     "core/paths.py": LeftOut("compares the first bytes of a file with those of a pointer of Git LFS"),
     "core/records.py": (*RECONSTRUCTION, *WORK),
     "core/stages.py": WORK,
+    "core/timing.py": OF_SYSTEM,
     "datasets/array_cache.py": LeftOut("a cache of made scenes in the user's own folder"),
     "datasets/public/fetching.py": LeftOut("checks a digest before a file is read"),
     "io/bags/bag1.py": RECORDINGS,

@@ -243,10 +243,10 @@ def test_scanners_in_turn_differ_by_ten_degrees_or_one_and_a_half_voxels(turn, a
     assert (found.scanners if found else 0) == count
 
 
-def sound_step(index, pose=as_pose(), **values):
+def sound_step(index, pose=None, **values):
     return OdometryStep(
-        index=index, pose=pose, threshold=1.0, inliers=10, fitness=0.9, inlier_rmse=0.1, iterations=3,
-        converged=True, is_predicted=False, status="converged", **values,
+        index=index, pose=np.eye(4) if pose is None else pose, threshold=1.0, inliers=10, fitness=0.9, inlier_rmse=0.1,
+        iterations=3, converged=True, is_predicted=False, status="converged", **values,
     )  # fmt: skip
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 from .progress import ReportProgress, ignore_progress
 
@@ -57,12 +59,21 @@ class Clock:
 
 
 def peak_bytes() -> int:
-    """Peak memory of this process [B]."""
+    """Peak memory of this process [B]. On Linux its usage would count that of the program that started it, too."""
     if sys.platform == "win32":
         return _peak_on_windows()
     import resource
 
-    return _peak_of(resource.RUSAGE_SELF)
+    return peak_of_process() or _peak_of(resource.RUSAGE_SELF)
+
+
+def peak_of_process(process: int | str = "self") -> int:
+    """Peak memory of a process by its number [B]. 0 if it is unknown: it has ended, or the system is not Linux."""
+    with contextlib.suppress(OSError, ValueError, IndexError):
+        for line in Path(f"/proc/{process}/status").read_text(encoding="utf-8").splitlines():
+            if line.startswith("VmHWM:"):
+                return 1024 * int(line.split()[1])
+    return 0
 
 
 def peak_bytes_of_all() -> int:

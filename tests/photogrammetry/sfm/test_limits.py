@@ -136,8 +136,8 @@ def test_the_last_output_of_a_program_is_quoted_in_one_line():
 
 def test_the_peak_memory_of_a_program_is_recorded(monkeypatch):
     program, seen = "b = b'x' * 10**8\nimport signal; signal.pause()", queue.Queue()
-    memory_of = limited_process._memory_of
-    monkeypatch.setattr(limited_process, "_memory_of", lambda pid: (seen.put(memory := memory_of(pid)), memory)[1])
+    memory_of = limited_process.peak_of_process
+    monkeypatch.setattr(limited_process, "peak_of_process", lambda pid: (seen.put(memory := memory_of(pid)), memory)[1])
     with LimitedProcess([limited_process.sys.executable, "-c", program]) as process:
         while seen.get(timeout=60) <= 10**8:
             pass

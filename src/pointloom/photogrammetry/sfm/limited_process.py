@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from ...core.checks import check_count, check_positive
+from ...core.timing import peak_of_process
 from ...core.wording import format_bytes
 
 _WATCH_INTERVAL = 0.1  # [s]
@@ -120,7 +121,7 @@ class LimitedProcess:
         assert self._process is not None
         end = time.monotonic() + min(self.max_seconds, threading.TIMEOUT_MAX)
         while not self._over.wait(_WATCH_INTERVAL) and self._process.poll() is None:
-            memory = _memory_of(self._process.pid)
+            memory = peak_of_process(self._process.pid)
             self.peak_bytes = max(self.peak_bytes, memory)
             reason = "time" if time.monotonic() > end else "memory" if memory > self.max_memory else ""
             if reason:
@@ -154,14 +155,6 @@ def _end_of(file: IO[bytes]) -> bytes:
         return os.pread(file.fileno(), _LAST_BYTES, first)  # leaves the position, which the process shares
     file.seek(first)
     return file.read(_LAST_BYTES)
-
-
-def _memory_of(pid: int) -> int:
-    with contextlib.suppress(OSError, ValueError, IndexError):
-        for line in Path(f"/proc/{pid}/status").read_text(encoding="utf-8").splitlines():
-            if line.startswith("VmHWM:"):
-                return int(line.split()[1]) * _BYTES_PER_KIBIBYTE
-    return 0
 
 
 def free_memory() -> float:
