@@ -23,7 +23,7 @@ from run import continued, in_own_process, write_json  # noqa: E402
 
 RESULTS = FOLDER / "results" / "threads-cpu.json"
 BENCH_RESULTS = FOLDER / "results" / "operations-cpu.json"
-SECONDS = 4.0  # of timed calls, of which the best counts
+SECONDS = 2.0  # of timed calls, of which the best counts
 MIN_CALLS = 2
 PROCESS_SECONDS = 600.0
 
