@@ -196,7 +196,7 @@ def document_in(text: str) -> dict[str, Any]:
     Raises:
         IndexError: There is none.
     """
-    return json.loads([line for line in text.splitlines() if line.startswith("{")][-1])
+    return json.loads([line for line in text.splitlines() if line.startswith(("{", "[{"))][-1])
 
 
 def without_folders(line: str) -> str:
@@ -276,7 +276,7 @@ def git(*arguments: str) -> str:
 
 
 def in_own_process(command: list[str], seconds: float, **variables: str) -> tuple[Any, str | None]:
-    """The JSON in the last line that a command prints, and the error, one of them None. `variables` are added to the
+    """The JSON document that a command prints, and the error, one of them None. `variables` are added to the
     environment."""
     environment = os.environ | variables
     try:
@@ -286,7 +286,7 @@ def in_own_process(command: list[str], seconds: float, **variables: str) -> tupl
     if done.returncode:
         lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
         return None, lines[-1][:200]
-    return json.loads(done.stdout.strip().splitlines()[-1]), None
+    return document_in(done.stdout), None
 
 
 def continued(path: Path, about: dict[str, Any] | None = None) -> dict[str, Any]:

@@ -47,13 +47,14 @@ def run_one(name: str, size: str, label: str) -> float:
 def timed(name: str, size: str, label: str, threads: int) -> float | None:
     """`run_one` in a process of its own with some threads. None if it fails."""
     command = [sys.executable, __file__, "--one", name, size, label]
-    return in_own_process(command, PROCESS_SECONDS, BENCH_THREADS=str(threads))[0]
+    row, _ = in_own_process(command, PROCESS_SECONDS, BENCH_THREADS=str(threads))
+    return None if row is None else row["seconds"]
 
 
 def main() -> int:
     if sys.argv[1:2] == ["--one"]:
         limit_threads("cpu")
-        print(run_one(*sys.argv[2:5]))
+        print(json.dumps({"seconds": run_one(*sys.argv[2:5])}))
         return 0
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", action="append", help="operations whose names start with this")
