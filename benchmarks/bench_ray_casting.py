@@ -13,7 +13,7 @@ import numpy as np
 from contest import POINTLOOM, Contestant, Operation, load_open3d, timed
 from mesh_scenes import Arrays, scene_in_open3d, scene_in_pointloom, wavy_mesh
 from numpy.typing import NDArray
-from reasons import CALL
+from reasons import CALL, SPREAD
 
 Scene = tuple[Arrays, NDArray[np.float32]]
 
@@ -101,7 +101,7 @@ RAY_CASTING = Operation(
     targets={"camera 1280x960": 1, "crossing 500k": 1},
     reasons={
         "camera 64x48": CALL,
-        "camera 1280x960": "1.1 in another run on the same processor: two runs differ by up to a fifth.",
+        "camera 1280x960": SPREAD.format("1.1"),
         "crossing 500k": (
             "A ray visits 6.3 nodes of eight boxes and 2.1 leaves of eight triangles alone; camera rays share them."
         ),

@@ -190,7 +190,7 @@ def measure_memory(
         list(pool.map(measure_one, cases))
 
 
-def document_in(text: str) -> dict[str, Any]:
+def document_in(text: str) -> Any:
     """The JSON document among the output lines of a process; libraries may print more at exit.
 
     Raises:

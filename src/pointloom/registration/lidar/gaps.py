@@ -157,9 +157,9 @@ class ScannersInTurn(NamedTuple):
 def scanners_in_turn(steps: Sequence[OdometryStep], voxel_size: float) -> ScannersInTurn | None:
     """Recognize scans of several scanners by motions that repeat after as many scans, but are not those of one."""
     distinct = [step for step in steps[-4 * MAX_SCANNERS - 2 :] if step.status != REPEATED and step.is_sound]
-    distinct = distinct[-2 * MAX_SCANNERS - 1 :]  # two motions per scanner
+    distinct = distinct[-2 * MAX_SCANNERS - 1 :]  # two motions per scanner, so four at least
     poses, found = [step.pose for step in distinct], None
-    if len(poses) < 5 or _is_steady(np.array(poses), voxel_size):
+    if len(poses) <= 4 or _is_steady(np.array(poses), voxel_size):
         return None
     motions = [matmul(invert_pose(A), B) for A, B in itertools.pairwise(poses)]
     for count in range(2, MAX_SCANNERS + 1):
@@ -178,9 +178,9 @@ def scanners_in_turn(steps: Sequence[OdometryStep], voxel_size: float) -> Scanne
 
 def _is_steady(poses: Matrix, voxel_size: float) -> bool:
     """True if the motions between poses [n, 4, 4] are too much alike to be those of several scanners."""
-    R = poses[:-1, :3, :3]
-    turns = np.einsum("nji,njk->nik", R, poses[1:, :3, :3])
-    shifts = np.einsum("nji,nj->ni", R, np.diff(poses[:, :3, 3], axis=0))
+    back = poses[:-1, :3, :3].transpose(0, 2, 1)
+    turns = matmul(back, poses[1:, :3, :3])
+    shifts = matmul(back, np.diff(poses[:, :3, 3:], axis=0))[:, :, 0]
     angle = _angle(turns - turns[-1])
     way = max(np.linalg.norm(shifts - shifts[-1], axis=1).max(), angle * np.linalg.norm(shifts, axis=1).max())
     is_alike = angle < STEADY * MIN_SCANNER_ANGLE and way < STEADY * MIN_SCANNER_VOXELS * voxel_size
